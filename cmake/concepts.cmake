@@ -1,0 +1,56 @@
+# One library per concept, linked by the table in concepts.txt: a concept's links are exactly its row.
+
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/concepts.txt carom_concept_rows REGEX "^[0-9]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/concepts.txt)
+
+# Names of the concepts that `concept` may include.
+function(carom_links_of concept result)
+  foreach(row IN LISTS carom_concept_rows)
+    if(row MATCHES "^[0-9]+ +${concept} *:(.*)$")
+      string(STRIP "${CMAKE_MATCH_1}" links)
+      separate_arguments(links)
+      set(${result} "${links}" PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "concepts.txt has no row for '${concept}'")
+endfunction()
+
+# What every carom library and all who include its headers compile with: no fused multiply-add unless written,
+# so that the same source gives the same bits.
+set(CAROM_NUMERIC_OPTIONS -ffp-contract=off)
+set(CAROM_WARNING_OPTIONS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor)
+if(CAROM_WARNINGS_AS_ERRORS)
+  list(APPEND CAROM_WARNING_OPTIONS -Werror)
+endif()
+
+# carom_concept(NAME [SOURCES file…] [SYSTEM_INCLUDES dir…] [PRIVATE_LINKS target…])
+# Defines the target carom_NAME, alias carom::NAME. Without sources it is an interface library.
+function(carom_concept name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;SYSTEM_INCLUDES;PRIVATE_LINKS" ${ARGN})
+  set(target carom_${name})
+  if(ARG_SOURCES)
+    add_library(${target} STATIC ${ARG_SOURCES})
+    set(scope PUBLIC)
+    target_compile_options(${target} PRIVATE ${CAROM_WARNING_OPTIONS})
+    target_include_directories(${target} SYSTEM PRIVATE ${ARG_SYSTEM_INCLUDES})
+    target_link_libraries(${target} PRIVATE ${ARG_PRIVATE_LINKS})
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(carom::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_compile_options(${target} ${scope} ${CAROM_NUMERIC_OPTIONS})
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  carom_links_of(${name} links)
+  foreach(link IN LISTS links)
+    if(TARGET carom_${link})
+      target_link_libraries(${target} ${scope} carom_${link})
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY CAROM_LIBRARIES ${target})
+endfunction()

@@ -1,0 +1,114 @@
+// The simulation loop: windows strung together, probes at any time, observers told of every window.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "carom/state/scene.hpp"
+#include "carom/state/state.hpp"
+#include "carom/state/system.hpp"
+#include "carom/window/books.hpp"
+#include "carom/window/collision.hpp"
+#include "carom/window/solver.hpp"
+
+namespace carom {
+
+/// One finished window, valid during the call that it is given to.
+struct WindowRecord {
+  const System& system;
+  const State& before;                    ///< at its start
+  const State& after;                     ///< at its end
+  std::span<const Collision> collisions;  ///< in log order; times since before.clock.start
+};
+
+/// Sees the trajectory and changes nothing.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// After every finished window, in order. A window left in the middle is not reported until it is finished.
+  virtual void on_window(const WindowRecord& window) = 0;
+};
+
+enum class SolverKind { reference };
+
+/// What impulses were summed over: the windows from one time on.
+struct Measured {
+  bool started = false;
+  double start = 0;        ///< of the first window measured (time)
+  double kT_integral = 0;  ///< ∫ kT dt from there to the start of the window in flight, by the trapezoidal rule
+};
+
+/// A system on its way through time. Not copyable; not for use by two threads at once.
+class Simulation {
+ public:
+  /// Starts at time 0. Throws Error if the setup cannot be simulated.
+  explicit Simulation(Setup setup, SolverKind solver = SolverKind::reference);
+
+  /// Why advancing ended.
+  enum class Stop { reached, interrupted };
+
+  /// Goes on to `until` (time). What comes later does not depend on how often or where a run was stopped.
+  /// Interrupted, it returns to the start of the window it was in. Throws Error if `until` lies in the past.
+  Stop run_until(double until);
+
+  /// Finishes the window that time() lies in, or the next one if time() is a window's start.
+  Stop run_window();
+
+  [[nodiscard]] const System& system() const noexcept { return system_; }
+  [[nodiscard]] double time() const noexcept { return state_.clock.start + offset_; }
+  /// The state at the start of the window that time() lies in: all that decides the future.
+  [[nodiscard]] const State& window_start() const noexcept { return state_; }
+  /// All disks at time(): a read of free flight.
+  [[nodiscard]] Frame frame() const;
+  /// Everything counted from time 0 to time(); sums of impulses from the start of measuring.
+  [[nodiscard]] const Books& books() const noexcept { return books_; }
+  /// Events of the window in flight up to time(), in log order; empty unless collisions are recorded.
+  [[nodiscard]] std::vector<Collision> collisions_in_flight() const;
+  /// Windows begun so far; one that ends just now counts, one that starts just now does not.
+  [[nodiscard]] std::uint64_t windows() const noexcept { return state_.clock.window + (offset_ > 0 ? 1 : 0); }
+
+  /// Observers are called in the order added and must outlive the simulation.
+  void add_observer(Observer& observer);
+  /// Virial and wall impulses are summed from the first window that starts at or after `time`; from 0 by default.
+  /// To be called before that window begins.
+  void measure_from(double time) noexcept { measure_from_ = time; }
+  /// From when on impulses are summed.
+  [[nodiscard]] const Measured& measured() const noexcept { return measured_; }
+  /// The flag is polled between events; a signal handler may set it. It must outlive the simulation.
+  void stop_when(const std::atomic<bool>& interrupt) noexcept { interrupt_ = &interrupt; }
+
+  [[nodiscard]] const Solver& solver() const noexcept { return *solver_; }
+  /// Energy, momentum and momentum scale at time 0.
+  struct Initial {
+    double energy = 0;
+    Vec2 momentum;
+    double momentum_scale = 0;
+  };
+  [[nodiscard]] const Initial& initial() const noexcept { return initial_; }
+
+ private:
+  void open_window();
+  void abandon_window();
+  Stop advance_to(double offset);
+  void close_window();
+
+  System system_;
+  State state_;  // at the start of the window in flight
+  State next_;   // buffer for its end
+  double offset_ = 0;
+  bool open_ = false;
+  Books books_;
+  Books books_at_start_;  // of the window in flight
+  std::vector<Collision> log_;
+  std::unique_ptr<Solver> solver_;
+  std::vector<Observer*> observers_;
+  double measure_from_ = 0;
+  Measured measured_;
+  Initial initial_;
+  const std::atomic<bool>* interrupt_;
+};
+
+}  // namespace carom

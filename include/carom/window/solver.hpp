@@ -1,0 +1,51 @@
+// The window map State(t0) → State(t0 + Δ), opened, advanced and closed by a solver.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "carom/state/state.hpp"
+#include "carom/state/system.hpp"
+#include "carom/window/books.hpp"
+#include "carom/window/collision.hpp"
+
+namespace carom {
+
+/// Works on one window at a time. Every solver gives the same bits and the same events for the same State.
+///
+/// A window holds the events with times in [0, Δ) from its start; times below are measured from there.
+/// Use: open(), advance_to() with growing times and read() as often as wanted, then close() or abandon it by
+/// opening another. What open() is given must outlive the window.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+  /// What its prediction loop is compiled for: "scalar", "AVX2", …
+  [[nodiscard]] virtual std::string_view simd() const noexcept = 0;
+
+  /// Begins the window that starts with `start`. Counts and sums are added to `books`; events are appended to
+  /// `log` in the order of processing unless it is null.
+  virtual void open(const State& start, Books& books, std::vector<Collision>* log) = 0;
+
+  /// Processes all events before `time` ≤ Δ. Returns false if it stopped early because `interrupt` became true;
+  /// the window must then be abandoned.
+  virtual bool advance_to(double time, const std::atomic<bool>& interrupt) = 0;
+
+  /// The disks at `time`, not before the time advanced to and not after the next event: a read of free flight
+  /// that changes nothing. Sets all of `frame` but its time.
+  virtual void read(double time, Frame& frame) const = 0;
+
+  /// The state at the window's end, after advance_to(Δ). Sets disks and last contacts, not the clock.
+  virtual void close(State& next) = 0;
+};
+
+/// The solver written for clarity: all pairs, all images in reach, a linear scan for the next event.
+std::unique_ptr<Solver> make_reference_solver(const System& system);
+
+}  // namespace carom

@@ -1,0 +1,121 @@
+#include "carom/run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/base/error.hpp"
+#include "carom/run/window_length.hpp"
+#include "carom/state/validate.hpp"
+
+namespace carom {
+namespace {
+
+const std::atomic<bool> kNeverInterrupted{false};
+
+void throw_if_invalid(const Setup& setup) {
+  std::vector<Problem> problems;
+  for (const Finding& finding : validate(setup.system, setup.frame)) problems.push_back({finding.message, {}});
+  if (!problems.empty()) throw Error(problems);
+}
+
+}  // namespace
+
+Simulation::Simulation(Setup setup, SolverKind kind)
+    : books_(setup.system.size()), books_at_start_(books_), interrupt_(&kNeverInterrupted) {
+  throw_if_invalid(setup);
+  state_ = initial_state(setup);
+  system_ = std::move(setup.system);
+  state_.clock.length = first_window_length(system_, state_);
+  initial_ = {kinetic_energy(system_, state_.disks), momentum(system_, state_.disks),
+              momentum_scale(system_, state_.disks)};
+  switch (kind) {
+    case SolverKind::reference: solver_ = make_reference_solver(system_); break;
+  }
+}
+
+void Simulation::add_observer(Observer& observer) { observers_.push_back(&observer); }
+
+Simulation::Stop Simulation::run_until(double until) {
+  if (!(until >= time()) || std::isinf(until)) {
+    throw Error(fmt::format("cannot run to time {}: the simulation is at {}", until, time()));
+  }
+  while (until >= state_.clock.start + state_.clock.length) {
+    if (run_window() == Stop::interrupted) return Stop::interrupted;
+  }
+  const double offset = until - state_.clock.start;
+  return offset > offset_ ? advance_to(offset) : Stop::reached;
+}
+
+Simulation::Stop Simulation::run_window() {
+  if (advance_to(state_.clock.length) == Stop::interrupted) return Stop::interrupted;
+  close_window();
+  return Stop::reached;
+}
+
+Frame Simulation::frame() const {
+  Frame frame;
+  if (open_) {
+    solver_->read(offset_, frame);
+  } else {
+    frame = state_.disks;
+  }
+  frame.time = time();
+  return frame;
+}
+
+std::vector<Collision> Simulation::collisions_in_flight() const {
+  std::vector<Collision> sorted = log_;
+  std::sort(sorted.begin(), sorted.end(), stands_before);
+  return sorted;
+}
+
+void Simulation::open_window() {
+  if (!measured_.started && state_.clock.start >= measure_from_) {
+    measured_ = {.started = true, .start = state_.clock.start, .kT_integral = 0};
+    std::fill(books_.virial_of.begin(), books_.virial_of.end(), 0.0);
+    std::fill(books_.wall_impulse_of.begin(), books_.wall_impulse_of.end(), 0.0);
+  }
+  books_at_start_ = books_;
+  solver_->open(state_, books_, observers_.empty() ? nullptr : &log_);
+  open_ = true;
+}
+
+void Simulation::abandon_window() {
+  books_ = books_at_start_;
+  log_.clear();
+  offset_ = 0;
+  open_ = false;
+}
+
+Simulation::Stop Simulation::advance_to(double offset) {
+  if (!open_) open_window();
+  if (!solver_->advance_to(offset, *interrupt_)) {
+    abandon_window();
+    return Stop::interrupted;
+  }
+  offset_ = offset;
+  return Stop::reached;
+}
+
+void Simulation::close_window() {
+  solver_->close(next_);
+  next_.clock = {state_.clock.window + 1, state_.clock.start + state_.clock.length, state_.clock.length};
+  next_.disks.time = next_.clock.start;
+  next_.clock.length = next_window_length(system_, next_, books_.events() - books_at_start_.events());
+
+  if (measured_.started && !system_.physics.elastic()) {
+    const double kT = 0.5 * (temperature(system_, state_.disks) + temperature(system_, next_.disks));
+    measured_.kT_integral += kT * state_.clock.length;
+  }
+  std::sort(log_.begin(), log_.end(), stands_before);
+  for (Observer* observer : observers_) observer->on_window({system_, state_, next_, log_});
+
+  log_.clear();
+  std::swap(state_, next_);
+  offset_ = 0;
+  open_ = false;
+}
+
+}  // namespace carom

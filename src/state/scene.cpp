@@ -1,0 +1,307 @@
+#include "carom/state/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "carom/base/random.hpp"
+#include "carom/state/gas.hpp"
+#include "carom/state/validate.hpp"
+
+namespace carom {
+namespace {
+
+constexpr std::uint32_t kShuffle = 3;  // purpose of the random stream that mixes several gases on one lattice
+constexpr double kMostDisks = 4e9;     // ids are 32 bits wide
+
+/// Realizes one scene step by step, collecting problems; each step runs only if what it needs is sound.
+class Realization {
+ public:
+  explicit Realization(const Scene& scene) : scene_(scene) {}
+
+  void run() {
+    check_gas();
+    if (!problems_.empty()) return check_explicit_disks();
+    choose_box();
+    count_gas();
+    add_disks();
+    if (problems_.empty()) place_gas();
+    check_explicit_disks();
+    if (problems_.empty()) finish();
+  }
+
+  [[nodiscard]] const std::vector<Problem>& problems() const noexcept { return problems_; }
+  [[nodiscard]] Setup& setup() noexcept { return setup_; }
+
+ private:
+  void complain(const Place& place, std::string message) { problems_.push_back({std::move(message), place}); }
+
+  static bool positive(double value) noexcept { return std::isfinite(value) && value > 0; }
+
+  void check_gas() {
+    for (const GasSpec& gas : scene_.gas) {
+      const auto check = [&](std::string_view name, double value) {
+        if (!positive(value))
+          complain(gas.place, fmt::format("{} of this gas is {}: it must be a number above 0", name, value));
+      };
+      check("radius", gas.radius);
+      check("mass", gas.mass);
+      if (!(std::isfinite(gas.temperature) && gas.temperature >= 0)) {
+        complain(gas.place,
+                 fmt::format("temperature of this gas is {}: it must be a number, 0 or more", gas.temperature));
+      }
+      if (gas.packing_fraction) check("packing_fraction", *gas.packing_fraction);
+      if (gas.count && *gas.count == 0) complain(gas.place, "count of this gas is 0: give at least 1 disk");
+      if (gas.count && static_cast<double>(*gas.count) > kMostDisks)
+        complain(gas.place, "count of this gas is too large");
+      if (!gas.count && !gas.packing_fraction)
+        complain(gas.place, "this gas needs a count, or a packing_fraction in a box with a size");
+      if (!gas.count && !scene_.size)
+        complain(gas.place, "this gas needs a count: its packing_fraction sets the box, which has no size");
+    }
+  }
+
+  void choose_box() {
+    Box& box = setup_.system.box;
+    box.boundary = scene_.boundary;
+    if (scene_.size) {
+      box.size = *scene_.size;
+      return check_box_matches_packing();
+    }
+    double covered = 0;
+    double fraction = 0;
+    for (const GasSpec& gas : scene_.gas) {
+      if (!gas.packing_fraction || !gas.count) continue;
+      covered += kPi * gas.radius * gas.radius * static_cast<double>(*gas.count);
+      fraction += *gas.packing_fraction;
+    }
+    if (fraction > 0) {
+      const double aspect = scene_.aspect.value_or(1);
+      const double width = std::sqrt(covered / fraction / aspect);
+      box.size = {width, width * aspect};
+    } else if (box.boundary != std::array{Boundary::open, Boundary::open} || !scene_.gas.empty()) {
+      complain(scene_.box_place, "the box needs a size, or a gas with a packing_fraction that sets it");
+    }
+  }
+
+  void check_box_matches_packing() {
+    const double area = setup_.system.box.size.x * setup_.system.box.size.y;
+    for (const GasSpec& gas : scene_.gas) {
+      if (!gas.count || !gas.packing_fraction || !positive(area)) continue;
+      const double one = kPi * gas.radius * gas.radius / area;
+      const double actual = one * static_cast<double>(*gas.count);
+      if (std::abs(actual - *gas.packing_fraction) <= one) continue;
+      complain(gas.place,
+               fmt::format("count, packing_fraction and the box's size disagree: {} disks in this box are a packing "
+                           "fraction of {:.6g}, not {}; leave one out",
+                           *gas.count, actual, *gas.packing_fraction));
+    }
+  }
+
+  void count_gas() {
+    const double area = setup_.system.box.size.x * setup_.system.box.size.y;
+    for (const GasSpec& gas : scene_.gas) {
+      double count = 0;
+      if (gas.count) {
+        count = static_cast<double>(*gas.count);
+      } else {
+        count = std::rint(*gas.packing_fraction * area / (kPi * gas.radius * gas.radius));
+        if (!(count >= 1)) complain(gas.place, "a packing fraction this low leaves no disk in this box");
+        if (count > kMostDisks)
+          complain(gas.place, fmt::format("this packing_fraction means {:.3g} disks: too many", count));
+      }
+      gas_count_.push_back(count >= 1 && count <= kMostDisks ? static_cast<std::size_t>(count) : 0);
+    }
+    refuse_impossible_packing(area);
+  }
+
+  /// No arrangement of disks covers more than the triangular lattice of equal ones, unless their sizes differ much.
+  void refuse_impossible_packing(double area) {
+    const double fraction = gas_area() / area;
+    if (!positive(area) || !(fraction > 1)) return;
+    complain(scene_.gas.front().place,
+             fmt::format("a packing fraction of {:.6g} cannot be placed: the disks' area is larger than the box's",
+                         fraction));
+  }
+
+  [[nodiscard]] double gas_area() const {
+    double area = 0;
+    for (std::size_t g = 0; g < gas_count_.size(); ++g) {
+      area += kPi * scene_.gas[g].radius * scene_.gas[g].radius * static_cast<double>(gas_count_[g]);
+    }
+    return area;
+  }
+
+  void add_disks() {
+    for (const DiskSpec& disk : scene_.disks) {
+      setup_.system.add_disk({disk.radius, disk.mass});
+      setup_.frame.add_disk(disk.position, disk.velocity);
+    }
+    if (!problems_.empty()) return;
+    for (std::size_t g = 0; g < scene_.gas.size(); ++g) {
+      for (std::size_t k = 0; k < gas_count_[g]; ++k) {
+        setup_.system.add_disk({scene_.gas[g].radius, scene_.gas[g].mass});
+        setup_.frame.add_disk({}, {});
+      }
+    }
+  }
+
+  void place_gas() {
+    if (scene_.gas.empty()) return;
+    std::vector<Obstacle> obstacles;
+    for (const DiskSpec& disk : scene_.disks) {
+      if (std::isfinite(disk.radius) && disk.radius > 0) obstacles.push_back({disk.position, disk.radius});
+    }
+    for (const GasStart start : {GasStart::lattice, GasStart::random}) place_gases_with(start, obstacles);
+    if (problems_.empty()) set_gas_velocities();
+  }
+
+  /// Places the gases that start in this way, around obstacles; they become obstacles for the next.
+  void place_gases_with(GasStart start, std::vector<Obstacle>& obstacles) {
+    std::vector<std::size_t> disks;  // ids
+    const GasSpec* first_gas = nullptr;
+    std::size_t id = scene_.disks.size();
+    for (std::size_t g = 0; g < scene_.gas.size(); ++g) {
+      const bool takes_part = scene_.gas[g].start == start;
+      if (takes_part && first_gas == nullptr) first_gas = &scene_.gas[g];
+      for (std::size_t k = 0; k < gas_count_[g]; ++k, ++id) {
+        if (takes_part) disks.push_back(id);
+      }
+    }
+    if (disks.empty()) return;
+
+    std::vector<double> radii;
+    for (const std::size_t k : disks) radii.push_back(setup_.system.radius(k));
+    const Box& box = setup_.system.box;
+    const Placement placement =
+        start == GasStart::lattice
+            ? place_on_lattice(box, disks.size(), *std::max_element(radii.begin(), radii.end()), obstacles)
+            : place_at_random(box, radii, first_gas->seed, obstacles);
+    if (placement.positions.size() < disks.size())
+      return complain(first_gas->place, why_not_placed(start, disks.size(), placement));
+
+    if (start == GasStart::lattice && scene_.gas.size() > 1) shuffle(disks, first_gas->seed);
+    for (std::size_t k = 0; k < disks.size(); ++k) {
+      setup_.frame.x[disks[k]] = placement.positions[k].x;
+      setup_.frame.y[disks[k]] = placement.positions[k].y;
+      obstacles.push_back({placement.positions[k], setup_.system.radius(disks[k])});
+    }
+  }
+
+  [[nodiscard]] std::string why_not_placed(GasStart start, std::size_t wanted, const Placement& placement) const {
+    const double area = setup_.system.box.size.x * setup_.system.box.size.y;
+    const double fraction = gas_area() / area;
+    if (start == GasStart::random) {
+      const double share = static_cast<double>(placement.positions.size()) / static_cast<double>(wanted);
+      return fmt::format(
+          "{} of {} disks could be placed at random (packing fraction about {:.3f} of {:.3f}); a random start "
+          "reaches about 0.5 with equal disks: use start = \"lattice\"",
+          placement.positions.size(), wanted, share * fraction, fraction);
+    }
+    if (placement.room > 0) {
+      return fmt::format(
+          "{} disks at a packing fraction of {:.4f} do not fit on a lattice in this box: up to {:.4f} can be placed",
+          wanted, fraction, std::floor(placement.room * placement.room * fraction * 1e4) / 1e4);
+    }
+    return fmt::format("{} disks do not fit on a lattice beside the other disks: {} can be placed", wanted,
+                       placement.positions.size());
+  }
+
+  static void shuffle(std::vector<std::size_t>& ids, std::uint64_t seed) {
+    RandomStream random(seed, 0, kShuffle);
+    for (std::size_t k = ids.size(); k > 1; --k) std::swap(ids[k - 1], ids[random.below(k)]);
+  }
+
+  void set_gas_velocities() {
+    std::vector<double> temperatures;
+    for (std::size_t g = 0; g < scene_.gas.size(); ++g) {
+      temperatures.insert(temperatures.end(), gas_count_[g], scene_.gas[g].temperature);
+    }
+    draw_velocities(setup_.system, scene_.disks.size(), temperatures, scene_.gas.front().seed, setup_.frame);
+  }
+
+  void check_explicit_disks() {
+    setup_.system.physics = {.restitution = scene_.restitution,
+                             .wall_restitution = scene_.wall_restitution.value_or(scene_.restitution),
+                             .t_c = scene_.t_c.value_or(0)};
+    const bool gas_is_missing = !problems_.empty();
+    if (gas_is_missing) explicit_disks_only();
+    if (setup_.system.size() == 0 && gas_is_missing) return;
+    for (const Finding& finding : validate(setup_.system, setup_.frame)) complain(place_of(finding), finding.message);
+  }
+
+  /// With a gas that could not be placed, the explicit disks are still checked among themselves.
+  void explicit_disks_only() {
+    System bare;
+    bare.box = {.size = scene_.size.value_or(setup_.system.box.size), .boundary = scene_.boundary};
+    bare.physics = setup_.system.physics;
+    setup_.system = std::move(bare);
+    setup_.frame = {};
+    if (!scene_.size) return;
+    for (const DiskSpec& disk : scene_.disks) {
+      setup_.system.add_disk({disk.radius, disk.mass});
+      setup_.frame.add_disk(disk.position, disk.velocity);
+    }
+  }
+
+  [[nodiscard]] Place place_of(const Finding& finding) const {
+    if (finding.disk && *finding.disk < scene_.disks.size()) return scene_.disks[*finding.disk].place;
+    if (finding.disk) return {};
+    return finding.message.find("box") != std::string::npos ? scene_.box_place : scene_.physics_place;
+  }
+
+  void finish() {
+    Physics& physics = setup_.system.physics;
+    if (!scene_.t_c && !physics.elastic()) physics.t_c = default_t_c(setup_.system, setup_.frame);
+  }
+
+  const Scene& scene_;
+  Setup setup_;
+  std::vector<std::size_t> gas_count_;
+  std::vector<Problem> problems_;
+};
+
+}  // namespace
+
+Setup realize(const Scene& scene) {
+  Realization realization(scene);
+  realization.run();
+  if (!realization.problems().empty()) throw Error(realization.problems());
+  return std::move(realization.setup());
+}
+
+std::vector<Problem> problems_of(const Scene& scene) {
+  Realization realization(scene);
+  realization.run();
+  return realization.problems();
+}
+
+double default_t_c(const System& system, const Frame& frame) noexcept {
+  const auto count = static_cast<double>(system.size());
+  double diameters = 0;
+  double squares = 0;
+  for (std::size_t k = 0; k < system.size(); ++k) {
+    diameters += 2 * system.radius(k);
+    squares += dot(frame.velocity(k), frame.velocity(k));
+  }
+  return squares > 0 ? 1e-6 * (diameters / count) / std::sqrt(squares / count) : 0;
+}
+
+State initial_state(const Setup& setup) {
+  State state;
+  state.disks = setup.frame;
+  const Box& box = setup.system.box;
+  for (std::size_t k = 0; k < state.disks.size(); ++k) {
+    if (box.periodic(0)) state.disks.x[k] = wrap(state.disks.x[k], box.size.x).coordinate;
+    if (box.periodic(1)) state.disks.y[k] = wrap(state.disks.y[k], box.size.y).coordinate;
+  }
+  if (!setup.system.physics.elastic()) {
+    state.last_contact.assign(state.disks.size(), -std::numeric_limits<double>::infinity());
+  }
+  return state;
+}
+
+}  // namespace carom
