@@ -17,6 +17,7 @@ std::string join_lines(const std::vector<Problem>& problems) {
 }  // namespace
 
 std::string to_string(const Place& place) {
+  if (place.file.empty()) return {};
   std::string text = place.file;
   if (place.line > 0) text += ':' + std::to_string(place.line);
   if (place.line > 0 && place.column > 0) text += ':' + std::to_string(place.column);

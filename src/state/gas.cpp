@@ -22,20 +22,21 @@ struct Lattice {
   std::size_t columns = 1;
   Vec2 origin;
   Vec2 step;
-  double closest = 0;  ///< smallest distance of two sites
+  Vec2 last;           ///< no site lies beyond: the walls less a radius
+  double closest = 0;  ///< smallest distance of two sites; 0 if a disk does not fit between the walls
 
   [[nodiscard]] std::size_t sites() const noexcept { return rows * columns; }
   [[nodiscard]] Vec2 site(std::size_t index) const noexcept {
     const std::size_t row = index / columns;
     const double shift = row % 2 == 0 ? 0.0 : 0.5;
-    return {origin.x + (static_cast<double>(index % columns) + shift) * step.x,
-            origin.y + static_cast<double>(row) * step.y};
+    return {std::min(origin.x + (static_cast<double>(index % columns) + shift) * step.x, last.x),
+            std::min(origin.y + static_cast<double>(row) * step.y, last.y)};
   }
 };
 
 /// The lattice of so many rows and columns, stretched over the box as far as `radius` allows at walls.
 Lattice stretch(const Box& box, std::size_t rows, std::size_t columns, double radius) {
-  Lattice lattice{.rows = rows, .columns = columns, .origin = {}, .step = {}, .closest = 0};
+  Lattice lattice{.rows = rows, .columns = columns, .origin = {}, .step = {}, .last = box.size, .closest = 0};
   const double across = static_cast<double>(columns);
   const double up = static_cast<double>(rows);
   const double shifted = rows > 1 ? 0.5 : 0.0;
@@ -46,6 +47,7 @@ Lattice stretch(const Box& box, std::size_t rows, std::size_t columns, double ra
     const double gaps = across - 1 + shifted;
     lattice.step.x = gaps > 0 ? (box.size.x - 2 * radius) / gaps : box.size.x;
     lattice.origin.x = gaps > 0 ? radius : 0.5 * box.size.x;
+    lattice.last.x = box.size.x - radius;
   }
   if (box.periodic(1)) {
     lattice.step.y = box.size.y / up;
@@ -53,7 +55,9 @@ Lattice stretch(const Box& box, std::size_t rows, std::size_t columns, double ra
   } else {
     lattice.step.y = rows > 1 ? (box.size.y - 2 * radius) / (up - 1) : box.size.y;
     lattice.origin.y = rows > 1 ? radius : 0.5 * box.size.y;
+    lattice.last.y = box.size.y - radius;
   }
+  if (lattice.last.x < radius || lattice.last.y < radius) return lattice;
   // Neighbours: in the row, one row up, and straight up two rows; an odd number of rows meets itself unshifted at a
   // seam.
   const double diagonal = length({0.5 * lattice.step.x, lattice.step.y});
@@ -63,24 +67,43 @@ Lattice stretch(const Box& box, std::size_t rows, std::size_t columns, double ra
   return lattice;
 }
 
-bool is_clear(const Box& box, Vec2 site, double radius, std::span<const Obstacle> obstacles) {
-  const auto nearest = [](double distance, double period) { return distance - period * std::rint(distance / period); };
-  return std::none_of(obstacles.begin(), obstacles.end(), [&](const Obstacle& obstacle) {
-    Vec2 r = obstacle.position - site;
-    if (box.periodic(0)) r.x = nearest(r.x, box.size.x);
-    if (box.periodic(1)) r.y = nearest(r.y, box.size.y);
-    return length(r) < radius + obstacle.radius;
+bool overlaps_any(const OverlapGrid& grid, Vec2 position, double radius, std::span<const double> radius_of) {
+  bool overlaps = false;
+  grid.visit_near(position, radius, [&](std::size_t other, Vec2 r) {
+    const double sigma = radius + radius_of[other];
+    overlaps = overlaps || dot(r, r) < sigma * sigma;
   });
+  return overlaps;
 }
 
-std::vector<std::size_t> clear_sites(const Box& box, const Lattice& lattice, double radius,
-                                     std::span<const Obstacle> obstacles) {
-  std::vector<std::size_t> clear;
-  for (std::size_t index = 0; index < lattice.sites(); ++index) {
-    if (is_clear(box, lattice.site(index), radius, obstacles)) clear.push_back(index);
+/// Finds out which places are free of obstacles.
+class Obstacles {
+ public:
+  Obstacles(const Box& box, std::span<const Obstacle> obstacles, double radius, std::size_t count)
+      : grid_(box, {{0, 0}, box.size}, 2 * smallest(obstacles, radius), obstacles.size() + count) {
+    for (const Obstacle& obstacle : obstacles) {
+      grid_.insert(radius_of_.size(), obstacle.position, obstacle.radius);
+      radius_of_.push_back(obstacle.radius);
+    }
   }
-  return clear;
-}
+
+  [[nodiscard]] std::vector<std::size_t> clear_sites(const Lattice& lattice, double radius) const {
+    std::vector<std::size_t> clear;
+    for (std::size_t index = 0; index < lattice.sites(); ++index) {
+      if (!overlaps_any(grid_, lattice.site(index), radius, radius_of_)) clear.push_back(index);
+    }
+    return clear;
+  }
+
+ private:
+  static double smallest(std::span<const Obstacle> obstacles, double radius) {
+    for (const Obstacle& obstacle : obstacles) radius = std::min(radius, obstacle.radius);
+    return radius;
+  }
+
+  OverlapGrid grid_;
+  std::vector<double> radius_of_;
+};
 
 /// For every number of rows the lattice with just enough sites, the loosest first.
 std::vector<Lattice> candidate_lattices(const Box& box, std::size_t sites, double radius) {
@@ -95,16 +118,17 @@ std::vector<Lattice> candidate_lattices(const Box& box, std::size_t sites, doubl
   return lattices;
 }
 
-/// Largest factor for a radius that a lattice with this closest distance allows. Walls take 2 r off the box, and the
-/// distances of the stretched lattice shrink with them in proportion; solved for r where both meet.
+bool fits(const Lattice& lattice, double radius) noexcept { return lattice.closest >= 2 * radius; }
+
+/// Largest factor for a radius that so many rows and columns allow. Walls take 2 r off the box, and the distances of
+/// the stretched lattice shrink with them; solved for r where both meet.
 double room_of(const Box& box, const Lattice& lattice, double radius) {
-  if (!(lattice.closest > 0)) return 0;
   double low = 0;
-  double high = lattice.closest / (2 * radius) + 1;
+  double high = std::max(box.size.x, box.size.y) / radius;
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = 0.5 * (low + high);
-    const Lattice stretched = stretch(box, lattice.rows, lattice.columns, middle * radius);
-    (stretched.closest >= 2 * middle * radius ? low : high) = middle;
+    const bool has_room = fits(stretch(box, lattice.rows, lattice.columns, middle * radius), middle * radius);
+    (has_room ? low : high) = middle;
   }
   return low;
 }
@@ -123,36 +147,63 @@ OverlapGrid::Extent room_for(const Box& box, double radius) {
   return {{x, y}, {box.size.x - x, box.size.y - y}};
 }
 
-bool overlaps_any(const OverlapGrid& grid, Vec2 position, double radius, const std::vector<double>& radius_of) {
-  bool overlaps = false;
-  grid.visit_near(position, radius, [&](std::size_t other, Vec2 r) {
-    const double sigma = radius + radius_of[other];
-    overlaps = overlaps || dot(r, r) < sigma * sigma;
-  });
-  return overlaps;
+/// Most disks, up to `count`, for which some lattice fits into the empty box.
+std::size_t most_on_lattice(const Box& box, std::size_t count, double radius) {
+  std::size_t fitting = 0;
+  std::size_t refused = count + 1;
+  while (refused - fitting > 1) {
+    const std::size_t middle = fitting + (refused - fitting) / 2;
+    (fits(candidate_lattices(box, middle, radius).front(), radius) ? fitting : refused) = middle;
+  }
+  return fitting;
+}
+
+std::vector<Vec2> spread_over_all(const Lattice& lattice, std::size_t count) {
+  std::vector<std::size_t> all(lattice.sites());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return spread(lattice, all, count);
+}
+
+Placement place_in_empty_box(const Box& box, std::size_t count, double radius) {
+  const std::vector<Lattice> lattices = candidate_lattices(box, count, radius);
+  if (fits(lattices.front(), radius)) {
+    return {spread_over_all(lattices.front(), count), room_of(box, lattices.front(), radius)};
+  }
+  Placement placement;
+  for (const Lattice& lattice : lattices) placement.room = std::max(placement.room, room_of(box, lattice, radius));
+  const std::size_t most = most_on_lattice(box, count, radius);
+  if (most > 0) placement.positions = spread_over_all(candidate_lattices(box, most, radius).front(), most);
+  return placement;
+}
+
+/// Obstacles take sites away: lattices with more and more sites are tried until enough of them are clear.
+Placement place_around(const Box& box, std::size_t count, double radius, const Obstacles& obstacles) {
+  Placement best;
+  for (std::size_t sites = count; sites <= 8 * count + 64; sites += 1 + sites / 64) {
+    std::size_t tries = 4 + 20'000 / sites;  // the loosest few are enough where there are many sites
+    for (const Lattice& lattice : candidate_lattices(box, sites, radius)) {
+      if (!fits(lattice, radius) || tries-- == 0) break;
+      const std::vector<std::size_t> clear = obstacles.clear_sites(lattice, radius);
+      if (clear.size() >= count) return {spread(lattice, clear, count), 1};
+      if (clear.size() > best.positions.size()) best = {spread(lattice, clear, clear.size()), 0};
+    }
+  }
+  return best;
 }
 
 }  // namespace
 
 Placement place_on_lattice(const Box& box, std::size_t count, double radius, std::span<const Obstacle> obstacles) {
-  // With obstacles some sites are lost: lattices with more and more sites are tried until enough are clear.
-  Placement best;
-  for (std::size_t sites = count; sites <= 8 * count + 64; sites += 1 + sites / 64) {
-    for (const Lattice& lattice : candidate_lattices(box, sites, radius)) {
-      const bool fits = lattice.closest >= 2 * radius;
-      if (obstacles.empty()) {
-        std::vector<std::size_t> all(lattice.sites());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        const double room = room_of(box, lattice, radius);
-        return {fits ? spread(lattice, all, count) : std::vector<Vec2>{}, room};
-      }
-      if (!fits) break;
-      const std::vector<std::size_t> clear = clear_sites(box, lattice, radius, obstacles);
-      if (clear.size() >= count) return {spread(lattice, clear, count), room_of(box, lattice, radius)};
-      if (clear.size() > best.positions.size()) best = {spread(lattice, clear, clear.size()), 0};
-    }
+  if (obstacles.empty()) return place_in_empty_box(box, count, radius);
+  const Obstacles around(box, obstacles, radius, count);
+  Placement placement = place_around(box, count, radius, around);
+  // What could be placed of too many must be what a caller who asks for just that many gets.
+  for (std::size_t asked = count; placement.positions.size() < asked && !placement.positions.empty();) {
+    asked = placement.positions.size();
+    placement = place_around(box, asked, radius, around);
+    placement.room = 0;
   }
-  return best;
+  return placement;
 }
 
 Placement place_at_random(const Box& box, std::span<const double> radii, std::uint64_t seed,

@@ -14,8 +14,9 @@
 namespace carom {
 namespace {
 
-constexpr std::uint32_t kShuffle = 3;  // purpose of the random stream that mixes several gases on one lattice
-constexpr double kMostDisks = 4e9;     // ids are 32 bits wide
+constexpr std::uint32_t kShuffle = 3;   // purpose of the random stream that mixes several gases on one lattice
+constexpr std::uint32_t kMixSeeds = 4;  // purpose of the random stream that makes one seed of several
+constexpr double kMostDisks = 4e9;      // ids are 32 bits wide
 
 /// Realizes one scene step by step, collecting problems; each step runs only if what it needs is sound.
 class Realization {
@@ -24,13 +25,16 @@ class Realization {
 
   void run() {
     check_gas();
-    if (!problems_.empty()) return check_explicit_disks();
-    choose_box();
-    count_gas();
-    add_disks();
-    if (problems_.empty()) place_gas();
-    check_explicit_disks();
-    if (problems_.empty()) finish();
+    if (problems_.empty()) choose_box();
+    if (problems_.empty()) count_gas();
+    add_explicit_disks();
+    check();
+    if (problems_.empty() && !scene_.gas.empty()) {
+      add_gas();
+      place_gas();
+      if (problems_.empty()) check();
+    }
+    if (problems_.empty()) choose_t_c();
   }
 
   [[nodiscard]] const std::vector<Problem>& problems() const noexcept { return problems_; }
@@ -71,6 +75,10 @@ class Realization {
       box.size = *scene_.size;
       return check_box_matches_packing();
     }
+    if (scene_.aspect && !positive(*scene_.aspect)) {
+      return complain(scene_.box_place,
+                      fmt::format("aspect of the box is {}: it must be a number above 0", *scene_.aspect));
+    }
     double covered = 0;
     double fraction = 0;
     for (const GasSpec& gas : scene_.gas) {
@@ -103,6 +111,8 @@ class Realization {
 
   void count_gas() {
     const double area = setup_.system.box.size.x * setup_.system.box.size.y;
+    if (!positive(area)) return;  // check() says so, or place_gas()
+    double total = 0;
     for (const GasSpec& gas : scene_.gas) {
       double count = 0;
       if (gas.count) {
@@ -110,18 +120,18 @@ class Realization {
       } else {
         count = std::rint(*gas.packing_fraction * area / (kPi * gas.radius * gas.radius));
         if (!(count >= 1)) complain(gas.place, "a packing fraction this low leaves no disk in this box");
-        if (count > kMostDisks)
-          complain(gas.place, fmt::format("this packing_fraction means {:.3g} disks: too many", count));
       }
-      gas_count_.push_back(count >= 1 && count <= kMostDisks ? static_cast<std::size_t>(count) : 0);
+      total += count;
+      if (total > kMostDisks) return complain(gas.place, fmt::format("{:.3g} disks are too many", total));
+      gas_count_.push_back(static_cast<std::size_t>(count));
     }
     refuse_impossible_packing(area);
   }
 
-  /// No arrangement of disks covers more than the triangular lattice of equal ones, unless their sizes differ much.
+  /// Refuses before a single disk is made what no arrangement can hold.
   void refuse_impossible_packing(double area) {
     const double fraction = gas_area() / area;
-    if (!positive(area) || !(fraction > 1)) return;
+    if (!(fraction > 1)) return;
     complain(scene_.gas.front().place,
              fmt::format("a packing fraction of {:.6g} cannot be placed: the disks' area is larger than the box's",
                          fraction));
@@ -135,13 +145,18 @@ class Realization {
     return area;
   }
 
-  void add_disks() {
+  void add_explicit_disks() {
+    setup_.system.physics = {.restitution = scene_.restitution,
+                             .wall_restitution = scene_.wall_restitution.value_or(scene_.restitution),
+                             .t_c = scene_.t_c.value_or(0)};
     for (const DiskSpec& disk : scene_.disks) {
       setup_.system.add_disk({disk.radius, disk.mass});
       setup_.frame.add_disk(disk.position, disk.velocity);
     }
-    if (!problems_.empty()) return;
-    for (std::size_t g = 0; g < scene_.gas.size(); ++g) {
+  }
+
+  void add_gas() {
+    for (std::size_t g = 0; g < gas_count_.size(); ++g) {
       for (std::size_t k = 0; k < gas_count_[g]; ++k) {
         setup_.system.add_disk({scene_.gas[g].radius, scene_.gas[g].mass});
         setup_.frame.add_disk({}, {});
@@ -150,11 +165,9 @@ class Realization {
   }
 
   void place_gas() {
-    if (scene_.gas.empty()) return;
+    if (gas_count_.empty()) return complain(scene_.box_place, "the box needs a width and a height to hold a gas");
     std::vector<Obstacle> obstacles;
-    for (const DiskSpec& disk : scene_.disks) {
-      if (std::isfinite(disk.radius) && disk.radius > 0) obstacles.push_back({disk.position, disk.radius});
-    }
+    for (const DiskSpec& disk : scene_.disks) obstacles.push_back({disk.position, disk.radius});
     for (const GasStart start : {GasStart::lattice, GasStart::random}) place_gases_with(start, obstacles);
     if (problems_.empty()) set_gas_velocities();
   }
@@ -179,11 +192,11 @@ class Realization {
     const Placement placement =
         start == GasStart::lattice
             ? place_on_lattice(box, disks.size(), *std::max_element(radii.begin(), radii.end()), obstacles)
-            : place_at_random(box, radii, first_gas->seed, obstacles);
+            : place_at_random(box, radii, seed_of_all(), obstacles);
     if (placement.positions.size() < disks.size())
       return complain(first_gas->place, why_not_placed(start, disks.size(), placement));
 
-    if (start == GasStart::lattice && scene_.gas.size() > 1) shuffle(disks, first_gas->seed);
+    if (start == GasStart::lattice && scene_.gas.size() > 1) shuffle(disks, seed_of_all());
     for (std::size_t k = 0; k < disks.size(); ++k) {
       setup_.frame.x[disks[k]] = placement.positions[k].x;
       setup_.frame.y[disks[k]] = placement.positions[k].y;
@@ -201,13 +214,22 @@ class Realization {
           "reaches about 0.5 with equal disks: use start = \"lattice\"",
           placement.positions.size(), wanted, share * fraction, fraction);
     }
-    if (placement.room > 0) {
+    if (placement.room > 0 && !scene_.size) {
       return fmt::format(
           "{} disks at a packing fraction of {:.4f} do not fit on a lattice in this box: up to {:.4f} can be placed",
           wanted, fraction, std::floor(placement.room * placement.room * fraction * 1e4) / 1e4);
     }
-    return fmt::format("{} disks do not fit on a lattice beside the other disks: {} can be placed", wanted,
-                       placement.positions.size());
+    return fmt::format("{} disks do not fit on a lattice {}: {} can be placed", wanted,
+                       scene_.disks.empty() ? "in this box" : "beside the other disks", placement.positions.size());
+  }
+
+  /// The first gas's seed, with those of the others mixed in: each of them matters to all.
+  [[nodiscard]] std::uint64_t seed_of_all() const {
+    std::uint64_t seed = scene_.gas.front().seed;
+    for (std::size_t g = 1; g < scene_.gas.size(); ++g) {
+      seed = RandomStream(seed, scene_.gas[g].seed, kMixSeeds).bits();
+    }
+    return seed;
   }
 
   static void shuffle(std::vector<std::size_t>& ids, std::uint64_t seed) {
@@ -220,40 +242,32 @@ class Realization {
     for (std::size_t g = 0; g < scene_.gas.size(); ++g) {
       temperatures.insert(temperatures.end(), gas_count_[g], scene_.gas[g].temperature);
     }
-    draw_velocities(setup_.system, scene_.disks.size(), temperatures, scene_.gas.front().seed, setup_.frame);
+    draw_velocities(setup_.system, scene_.disks.size(), temperatures, seed_of_all(), setup_.frame);
   }
 
-  void check_explicit_disks() {
-    setup_.system.physics = {.restitution = scene_.restitution,
-                             .wall_restitution = scene_.wall_restitution.value_or(scene_.restitution),
-                             .t_c = scene_.t_c.value_or(0)};
-    const bool gas_is_missing = !problems_.empty();
-    if (gas_is_missing) explicit_disks_only();
-    if (setup_.system.size() == 0 && gas_is_missing) return;
-    for (const Finding& finding : validate(setup_.system, setup_.frame)) complain(place_of(finding), finding.message);
-  }
-
-  /// With a gas that could not be placed, the explicit disks are still checked among themselves.
-  void explicit_disks_only() {
-    System bare;
-    bare.box = {.size = scene_.size.value_or(setup_.system.box.size), .boundary = scene_.boundary};
-    bare.physics = setup_.system.physics;
-    setup_.system = std::move(bare);
-    setup_.frame = {};
-    if (!scene_.size) return;
-    for (const DiskSpec& disk : scene_.disks) {
-      setup_.system.add_disk({disk.radius, disk.mass});
-      setup_.frame.add_disk(disk.position, disk.velocity);
+  /// Validates what there is so far: first the explicit disks alone, then everything.
+  void check() {
+    Box& box = setup_.system.box;
+    const bool box_is_known = scene_.size || box.size != Vec2{};
+    const bool nothing_yet = setup_.system.size() == 0 && !scene_.gas.empty();
+    if (scene_.size) box = {.size = *scene_.size, .boundary = scene_.boundary};
+    if (!box_is_known) box.boundary = {Boundary::open, Boundary::open};
+    for (const Finding& finding : validate(setup_.system, setup_.frame)) {
+      if (nothing_yet && finding.about == Finding::About::disks) continue;
+      complain(place_of(finding), finding.message);
     }
   }
 
   [[nodiscard]] Place place_of(const Finding& finding) const {
-    if (finding.disk && *finding.disk < scene_.disks.size()) return scene_.disks[*finding.disk].place;
-    if (finding.disk) return {};
-    return finding.message.find("box") != std::string::npos ? scene_.box_place : scene_.physics_place;
+    switch (finding.about) {
+      case Finding::About::box: return scene_.box_place;
+      case Finding::About::physics: return scene_.physics_place;
+      case Finding::About::disks: break;
+    }
+    return finding.disk && *finding.disk < scene_.disks.size() ? scene_.disks[*finding.disk].place : Place{};
   }
 
-  void finish() {
+  void choose_t_c() {
     Physics& physics = setup_.system.physics;
     if (!scene_.t_c && !physics.elastic()) physics.t_c = default_t_c(setup_.system, setup_.frame);
   }

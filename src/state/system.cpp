@@ -1,6 +1,7 @@
 #include "carom/state/system.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace carom {
 
@@ -21,7 +22,8 @@ double System::largest_radius() const noexcept {
 
 void System::add_disk(const Species& kind) {
   const auto next = static_cast<std::uint32_t>(species.size());
-  const auto [entry, is_new] = index_of_kind_.try_emplace({kind.radius, kind.mass}, next);
+  const auto [entry, is_new] = index_of_kind_.try_emplace(
+      {std::bit_cast<std::uint64_t>(kind.radius), std::bit_cast<std::uint64_t>(kind.mass)}, next);
   if (is_new) species.push_back(kind);
   species_of.push_back(entry->second);
 }

@@ -11,6 +11,8 @@
 namespace carom {
 namespace {
 
+using About = Finding::About;
+
 constexpr std::size_t kMostOfAKind = 20;
 /// Beyond these, squares and products of lengths leave the range of doubles.
 constexpr double kLargest = 1e75;
@@ -56,18 +58,20 @@ void check_box(const Box& box, std::vector<Finding>& findings) {
     const bool open = box.boundary[axis] == Boundary::open;
     if (usable_positive(size) || (open && size == 0)) continue;
     findings.push_back(
-        {fmt::format("the box's {} is {}: it {}", kExtent[axis], size, reason_against_positive(size)), {}});
+        {fmt::format("the box's {} is {}: it {}", kExtent[axis], size, reason_against_positive(size)), {}, About::box});
   }
 }
 
 void check_physics(const Physics& physics, std::vector<Finding>& findings) {
   const auto check_restitution = [&](std::string_view name, double e) {
-    if (!(e >= 0 && e <= 1)) findings.push_back({fmt::format("{} is {}: it must lie in [0, 1]", name, e), {}});
+    if (e >= 0 && e <= 1) return;
+    findings.push_back({fmt::format("{} is {}: it must lie in [0, 1]", name, e), {}, About::physics});
   };
   check_restitution("restitution", physics.restitution);
   check_restitution("wall_restitution", physics.wall_restitution);
   if (!(physics.t_c >= 0 && usable(physics.t_c))) {
-    findings.push_back({fmt::format("t_c is {}: it must be a finite time, 0 or more", physics.t_c), {}});
+    findings.push_back(
+        {fmt::format("t_c is {}: it must be a finite time, 0 or more", physics.t_c), {}, About::physics});
   }
 }
 
@@ -124,7 +128,8 @@ bool check_periodic_width(const System& system, std::vector<Finding>& findings) 
     wide_enough = false;
     findings.push_back({fmt::format("the periodic box is {} {}, narrower than the largest disk's diameter {}", size,
                                     axis == 0 ? "wide" : "high", diameter),
-                        {}});
+                        {},
+                        About::box});
   }
   return wide_enough;
 }

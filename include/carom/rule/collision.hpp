@@ -52,7 +52,7 @@ constexpr Velocities with_impulse(const Contact& contact, double change) noexcep
 /// 2⁻⁵³ μ Σ|v components|, doubled until the pair does not approach.
 inline Velocities separate(const Contact& contact, double change) noexcept {
   const Velocities& v = contact.v;
-  const double speeds = std::abs(v.first.x) + std::abs(v.first.y) + std::abs(v.second.x) + std::abs(v.second.y);
+  const double speeds = (std::abs(v.first.x) + std::abs(v.first.y)) + (std::abs(v.second.x) + std::abs(v.second.y));
   double extra = 0x1p-53 * speeds / length(contact.r);
   Velocities after = with_impulse(contact, change - extra);
   // 64 doublings reach 2000 times the speeds: more than any collision changes; a handful is what it takes.

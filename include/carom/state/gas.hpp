@@ -18,11 +18,11 @@ struct Obstacle {
   double radius = 0;
 };
 
-/// Places found for a number of disks: all of them, or as many as could be placed.
+/// Places found for a number of disks: all of them, or as many as this start can place.
 struct Placement {
   std::vector<Vec2> positions;
-  /// The largest factor by which all radii could have been multiplied with this start; at least 1 if all disks were
-  /// placed. 0 where the start cannot say.
+  /// A factor by which all radii can be multiplied so that all disks find a place: at least 1 if they were placed,
+  /// less if not, 0 where the start cannot say.
   double room = 0;
 };
 

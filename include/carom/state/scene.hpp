@@ -37,7 +37,7 @@ struct GasSpec {
   double radius = 0.5;
   double mass = 1;
   double temperature = 1;  ///< kT, in mass × length²/time²
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< of places and velocities; with several gases every seed matters to all of them
   GasStart start = GasStart::lattice;
   Place place;
 };

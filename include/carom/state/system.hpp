@@ -72,7 +72,8 @@ struct System {
   void add_disk(const Species& kind);
 
  private:
-  std::map<std::pair<double, double>, std::uint32_t> index_of_kind_;  // (radius, mass) → index into species
+  /// Bits of (radius, mass) → index into species. Bits, because a NaN has no place in an order of numbers.
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint32_t> index_of_kind_;
 };
 
 /// Area covered by the disks over the area of the box; 0 where the box has no area.

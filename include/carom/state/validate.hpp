@@ -13,8 +13,11 @@ namespace carom {
 
 /// Something wrong, and the disk it is about (the one with the larger id of a pair), if it is about one.
 struct Finding {
+  enum class About { disks, box, physics };
+
   std::string message;
   std::optional<std::size_t> disk;
+  About about = About::disks;
 };
 
 /// Disks may overlap by this share of their contact distance (rounding of a file's digits), not more.

@@ -1,0 +1,144 @@
+// carom run: the main job.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "carom/carom.hpp"
+#include "command.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+
+namespace carom::program {
+namespace {
+
+struct RunOptions {
+  std::string scene;
+  std::optional<double> until;
+  std::optional<std::uint64_t> collisions;
+  std::optional<double> equilibrate;
+  std::string solver = "reference";
+  std::optional<std::uint64_t> seed;
+  std::string out;
+  std::optional<double> every;
+  std::string trajectory;
+  std::string log_collisions;
+  bool overwrite = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+void require_time(const char* option, const std::optional<double>& value, bool zero_allowed) {
+  if (!value) return;
+  const bool fits = std::isfinite(*value) && (zero_allowed ? *value >= 0 : *value > 0);
+  if (!fits)
+    throw Error(fmt::format("{} {}: it must be a finite time, {}", option, *value,
+                            zero_allowed ? "0 or more" : "greater than 0"));
+}
+
+void check_options(const RunOptions& options) {
+  require_time("--until", options.until, true);
+  require_time("--every", options.every, false);
+  require_time("--equilibrate", options.equilibrate, true);
+  if (options.collisions && *options.collisions == 0) throw Error("--collisions 0: it must be greater than 0");
+  if (!options.out.empty()) return;
+  if (options.every) throw UsageError("--every writes frames of the trajectory: it needs --out DIR");
+  if (!options.trajectory.empty() && options.trajectory != "none") throw UsageError("--trajectory needs --out DIR");
+  if (options.overwrite) throw UsageError("--overwrite goes with --out DIR");
+}
+
+/// The command line's words take the place of the scene's.
+RunSettings settled(RunSettings settings, const RunOptions& options) {
+  if (options.until || options.collisions) {
+    settings.until = options.until;
+    settings.collisions = options.collisions;
+  }
+  if (!settings.until && !settings.collisions) {
+    throw UsageError(options.scene + ": when should the run end? Give --until TIME or --collisions NUMBER");
+  }
+  if (options.equilibrate) settings.equilibrate = *options.equilibrate;
+  if (options.every) settings.every = options.every;
+  if (options.trajectory == "none") settings.trajectory = TrajectoryFormat::none;
+  if (options.trajectory == "xyz" || (options.trajectory.empty() && options.every))
+    settings.trajectory = TrajectoryFormat::xyz;
+  if (settings.trajectory != TrajectoryFormat::none && !settings.every && options.trajectory == "xyz") {
+    throw UsageError("--trajectory xyz needs --every DT, the time between two frames");
+  }
+  return settings;
+}
+
+void reseed(Scene& scene, std::uint64_t seed) {
+  if (scene.gas.empty()) throw UsageError("--seed: the scene has no [[gas]], nothing in it is random");
+  for (GasSpec& gas : scene.gas) gas.seed = seed;
+}
+
+/// Prints the report and tells by the exit code how the run ended.
+int conclude(const RunEnd& end, const RunOptions& options) {
+  print(options.json ? report_json(end.record) : report_text(end.record));
+  if (end.exhausted)
+    fmt::print(stderr, "carom: no two disks can meet any more: the run ended at {} collisions\n",
+               end.record.summary.collisions);
+  const std::vector<std::string> broken = violations(end.record.summary);
+  for (const std::string& violation : broken) fmt::print(stderr, "carom: DO NOT TRUST THIS RUN: {}\n", violation);
+  if (end.interrupted) {
+    fmt::print(stderr, "carom: interrupted; this is the state at time {}, the start of the window in flight{}\n",
+               end.record.summary.time, options.out.empty() ? "" : fmt::format("; it is in {}", options.out));
+    return kInterrupted;
+  }
+  return broken.empty() ? kSuccess : kFailure;
+}
+
+int run_command(const RunOptions& options) {
+  check_options(options);
+  SceneFile file = read_scene(options.scene);
+  if (options.seed) reseed(file.scene, *options.seed);
+
+  RunPlan plan;
+  plan.settings = settled(file.run, options);
+  plan.title = file.scene.title;
+  plan.command = command_line();
+  Setup setup = realize(file.scene);
+  if (!options.out.empty()) plan.directory.emplace(options.out, options.overwrite);
+  if (!options.log_collisions.empty()) plan.collisions_file = options.log_collisions;
+
+  ProgressBar bar(!options.quiet);
+  plan.progress = [&bar](double done, const Simulation& simulation) {
+    bar.show({done, simulation.time(), simulation.books().collisions});
+  };
+  plan.interrupt = &catch_interrupts();
+  const RunEnd end = run_scene(std::move(setup), plan);
+  bar.clear();
+  return conclude(end, options);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Action& action) {
+  CLI::App* command = add_command(app, "run", "Simulate a scene", "carom run scenes/gas.toml --collisions 5000");
+  const auto options = std::make_shared<RunOptions>();
+  command
+      ->add_option("SCENE", options->scene, "a scene (TOML), an algs4 CollisionSystem file, an extended XYZ file, or -")
+      ->required();
+  command->add_option("--until", options->until, "simulate to this time");
+  command->add_option("--collisions", options->collisions,
+                      "stop at the first window's end at or after so many collisions");
+  command->add_option("--equilibrate", options->equilibrate,
+                      "measure the pressure from the first window after this time");
+  command->add_option("--solver", options->solver, "which solver: reference; all give the same bits")
+      ->check(CLI::IsMember({"reference"}))
+      ->default_str("reference");
+  command->add_option("--seed", options->seed, "take the place of the seeds in the scene");
+  command->add_option("--out", options->out, "directory for report.json, scene.toml, final.xyz and the trajectory");
+  command->add_option("--every", options->every, "time between two frames of the trajectory");
+  command->add_option("--trajectory", options->trajectory, "format of the trajectory: xyz or none")
+      ->check(CLI::IsMember({"xyz", "none"}));
+  command->add_option("--log-collisions", options->log_collisions, "write every collision to this CSV file");
+  command->add_flag("--overwrite", options->overwrite, "replace the run that is in the directory");
+  command->add_flag("--json", options->json, "print the report as one JSON object");
+  command->add_flag("--quiet", options->quiet, "show no progress");
+  command->callback([options, &action] { action = [options] { return run_command(*options); }; });
+}
+
+}  // namespace carom::program

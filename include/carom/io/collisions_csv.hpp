@@ -1,0 +1,28 @@
+// The collision log as a table.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "carom/io/file.hpp"
+#include "carom/window/collision.hpp"
+
+namespace carom {
+
+/// A CSV file with one row per collision: time,i,j,x,y,nx,ny,impulse, numbers with 17 significant digits; j is a disk
+/// or left, right, bottom, top; (x, y) the point of contact; (nx, ny) the unit normal from i to j.
+class CollisionsCsv {
+ public:
+  /// Creates the file with its header line. Throws Error if that fails, as do the others.
+  explicit CollisionsCsv(const std::string& path);
+
+  /// Appends rows; `window_start` is the time from which the collisions' own times count.
+  void append(std::span<const Collision> collisions, double window_start);
+  void flush() { stream_.flush(); }
+  void close() { stream_.close(); }
+
+ private:
+  OutputStream stream_;
+};
+
+}  // namespace carom

@@ -1,0 +1,44 @@
+// Text in and out of files, such that no failure goes unnoticed and no file is left half-written.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace carom {
+
+/// The name that messages use for a path: "<stdin>" for "-".
+std::string display_name(const std::string& path);
+
+/// All bytes of a file; "-" reads the standard input. Throws Error naming the file and the reason if it is missing,
+/// a directory, or cannot be read. An empty file gives an empty text.
+std::string read_file(const std::string& path);
+
+/// Replaces a file by `text`, or leaves it as it was: writes a new file beside it, and renames that when every byte
+/// is safe on disk. Pipes and devices (/dev/stdout) are written directly. A program should ignore SIGXFSZ and
+/// SIGPIPE, so that a full quota or a closed pipe arrives here as an Error with the path and the system's reason.
+void write_file(const std::string& path, std::string_view text);
+
+/// A file that grows while a run goes on. Starts empty; bytes are gathered in memory and written in large pieces.
+class OutputStream {
+ public:
+  /// Creates the file or empties it. Throws Error if that fails.
+  explicit OutputStream(std::string path);
+  /// Writes what is left but cannot report a failure: call close() before.
+  ~OutputStream();
+  OutputStream(OutputStream&& other) noexcept;
+  OutputStream& operator=(OutputStream&&) = delete;
+
+  /// These throw Error with the path and the reason if bytes cannot be written.
+  void write(std::string_view bytes);
+  void flush();
+  void close();
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  std::string path_;
+  std::string waiting_;  // bytes not yet handed to the system
+  int descriptor_ = -1;
+};
+
+}  // namespace carom

@@ -1,0 +1,26 @@
+// What a run says about itself at its end.
+#pragma once
+
+#include <string>
+
+#include "carom/run/summary.hpp"
+
+namespace carom {
+
+/// A summary and what only the program that ran it knows.
+struct RunRecord {
+  Summary summary;
+  double wall_seconds = 0;
+  std::string scene_digest;  ///< digest(system, frame) at the start
+  std::string version;
+  std::string command;   ///< as typed
+  std::string compiler;  ///< name and version
+};
+
+/// One JSON object in a fixed order of keys; numbers read back to the same bits, what has no value is null.
+std::string report_json(const RunRecord& record);
+
+/// The same for people: a few aligned lines, then the certificate.
+std::string report_text(const RunRecord& record);
+
+}  // namespace carom
