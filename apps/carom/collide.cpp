@@ -1,7 +1,7 @@
 // carom collide: one collision, computed, explained, drawn.
 #include <fmt/format.h>
 
-#include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +10,7 @@
 
 #include "carom/carom.hpp"
 #include "command.hpp"
+#include "options.hpp"
 #ifdef CAROM_HAS_DRAW
 #include "carom/draw/collision.hpp"
 #endif
@@ -17,12 +18,15 @@
 namespace carom::program {
 namespace {
 
+const std::map<std::string, std::optional<ExplainFormat>> kFormats{
+    {"text", ExplainFormat::text}, {"markdown", ExplainFormat::markdown}, {"latex", ExplainFormat::latex}};
+
 struct CollideOptions {
   std::vector<std::string> disks;
   double restitution = 1;
   bool advance = false;
   bool explain = false;
-  std::string format;
+  std::optional<ExplainFormat> format;
   std::string svg;
   bool json = false;
   std::string batch;
@@ -99,8 +103,8 @@ void advance_to_contact(Meeting& meeting) {
 
 Meeting parse_meeting(const CollideOptions& options) {
   if (options.disks.size() != 2) {
-    throw UsageError(fmt::format("carom collide needs --disk twice, once for each disk; it is given {} times",
-                                 options.disks.size()));
+    throw UsageError(
+        fmt::format("carom collide needs --disk twice, once for each disk; given: {}", options.disks.size()));
   }
   Meeting meeting{parse_disk(options.disks[0]), parse_disk(options.disks[1]), 0};
   if (meeting.first.radius.has_value() != meeting.second.radius.has_value()) {
@@ -120,7 +124,8 @@ rule::Velocities velocities_after(const Meeting& meeting, double restitution) {
                         .restitution = restitution});
 }
 
-nlohmann::ordered_json pair_of(Vec2 v) { return {v.x, v.y}; }
+/// Adding 0 turns −0 into 0.
+nlohmann::ordered_json pair_of(Vec2 v) { return {v.x + 0.0, v.y + 0.0}; }
 
 Vec2 momentum_of(const Meeting& meeting, const rule::Velocities& v) {
   return meeting.first.mass * v.first + meeting.second.mass * v.second;
@@ -190,10 +195,7 @@ std::string as_derivation(const Meeting& meeting, const CollideOptions& options)
   collision.second = disk(meeting.second);
   collision.restitution = options.restitution;
   collision.time_of_contact = meeting.time;
-  const ExplainFormat format = options.format == "markdown" ? ExplainFormat::markdown
-                               : options.format == "latex"  ? ExplainFormat::latex
-                                                            : ExplainFormat::text;
-  return explain(collision, format);
+  return explain(collision, options.format.value_or(ExplainFormat::text));
 }
 
 void draw_to(const std::string& path, const Meeting& meeting, const rule::Velocities& after, double restitution) {
@@ -224,7 +226,7 @@ void check_combination(const CollideOptions& options) {
   if (!(options.restitution >= 0 && options.restitution <= 1)) {
     throw Error(fmt::format("--restitution {}: it must lie in [0, 1]", options.restitution));
   }
-  if (!options.format.empty() && !options.explain) throw UsageError("--format goes with --explain");
+  if (options.format && !options.explain) throw UsageError("--format goes with --explain");
   if (options.explain && options.json)
     throw UsageError("--explain and --json exclude each other: both print to standard output");
   const bool single =
@@ -262,20 +264,21 @@ void add_collide(CLI::App& app, Action& action) {
                    "radii the disks touch where they stand")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->delimiter('\0');
-  command->add_option("--restitution", options->restitution, "coefficient of restitution, from 0 to 1")
-      ->default_val(1.0);
+      ->delimiter('\0')
+      ->type_name("DISK");
+  add_number(*command, "--restitution", options->restitution, "coefficient of restitution, from 0 to 1 (1)");
   command->add_flag("--advance", options->advance,
                     "first move the disks along their velocities to their first contact");
   command->add_flag("--explain", options->explain, "write out the derivation with these numbers, equation by equation");
-  command->add_option("--format", options->format, "of --explain: text, markdown or latex")
-      ->check(CLI::IsMember({"text", "markdown", "latex"}));
-  command->add_option("--svg", options->svg, "draw the collision to this file (.svg, .png or .pdf)");
+  add_choice(*command, "--format", options->format, kFormats, "of --explain: text, markdown or latex");
+  command->add_option("--svg", options->svg, "draw the collision to this file (.svg, .png or .pdf)")->type_name("FILE");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->add_option(
-      "--batch", options->batch,
-      "read rows x1,y1,vx1,vy1,m1,x2,y2,vx2,vy2,m2 from this CSV file (- for standard input) and print them "
-      "with the velocities after");
+  command
+      ->add_option(
+          "--batch", options->batch,
+          "read rows x1,y1,vx1,vy1,m1,x2,y2,vx2,vy2,m2 from this CSV file (- for standard input) and print them "
+          "with the velocities after")
+      ->type_name("FILE");
   command->callback([options, &action] { action = [options] { return collide_command(*options); }; });
 }
 

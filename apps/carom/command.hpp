@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "carom/base/vec2.hpp"
+#include "carom/state/scene.hpp"
 
 namespace carom::program {
 
@@ -40,11 +40,18 @@ void add_draw(CLI::App& app, Action& action);
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
                       const std::string& example);
 
-/// "A,B,C" as numbers. Throws UsageError naming `option` if one is not a finite number.
-std::vector<double> parse_numbers(std::string_view option, const std::string& text);
-
-/// Writes to stdout; throws Error if it cannot (a full disk behind a redirection).
+/// Writes to stdout. Throws Error if it cannot (a full disk behind a redirection); where the reader of a pipe has
+/// gone, ends the program by SIGPIPE as other programs do.
 void print(std::string_view text);
+
+/// Writes the line "carom: MESSAGE" to stderr. Where that fails there is nobody left to tell.
+void tell(const std::string& message);
+
+/// Throws Error at once where this machine's memory cannot hold so many disks.
+void require_memory_for(double disks, const Place& place = {});
+
+/// realize(), but throws Error at once for a scene that this machine's memory cannot hold.
+Setup realize_here(const Scene& scene);
 
 /// The words the program was called with, as one line.
 std::string command_line();

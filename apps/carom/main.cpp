@@ -1,9 +1,11 @@
 // The program `carom`: parses the command line, runs one command, turns errors into a line and an exit code.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
-#include <iostream>
+#include <new>
+#include <sstream>
 
 #include "carom/carom.hpp"
 #include "command.hpp"
@@ -15,12 +17,51 @@ std::string version_line() {
   return fmt::format("carom {} (SIMD {}; {})", version(), make_reference_solver(System{})->simd(), compiler());
 }
 
-/// Help and version go to stdout with code 0, anything else that CLI11 finds is a usage error.
-int report(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
-  fmt::print(stderr, "carom: {}\n", error.what());
-  fmt::print(stderr, "'carom --help' and 'carom COMMAND --help' tell what can be given.\n");
+/// The command whose options were being read, as typed: "carom make gas".
+std::string chosen_command(const CLI::App& app) {
+  std::string words = app.get_name();
+  for (const CLI::App* command : app.get_subcommands()) words += ' ' + chosen_command(*command);
+  return words;
+}
+
+int fail_usage(const CLI::App& app, const std::string& message) {
+  tell(fmt::format("{} ('{} --help' tells what can be given)", message, chosen_command(app)));
   return kUsage;
+}
+
+/// What CLI11 has to say about a command line, in plainer words where a newcomer is likely to need them.
+std::string describe(const CLI::App& app, const CLI::ParseError& error) {
+  if (!app.get_subcommands().empty()) return error.what();
+  const std::vector<std::string> rest = app.remaining();
+  return rest.empty() ? "which command?" : fmt::format("there is no command '{}'", rest.front());
+}
+
+/// Help and version go to stdout with code 0, anything else that CLI11 finds is a usage error.
+int answer(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() != 0) return fail_usage(app, describe(app, error));
+  std::ostringstream text;
+  app.exit(error, text, text);
+  print(text.str());
+  return kSuccess;
+}
+
+void add_commands(CLI::App& app, Action& action) {
+  add_collide(app, action);
+  add_make(app, action);
+  add_run(app, action);
+  add_check(app, action);
+  add_info(app, action);
+  add_convert(app, action);
+  add_draw(app, action);
+}
+
+int parse_and_act(CLI::App& app, const Action& action, int count, char** words) {
+  try {
+    app.parse(count, words);
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error);
+  }
+  return action();
 }
 
 int run_program(int count, char** words) {
@@ -31,36 +72,38 @@ int run_program(int count, char** words) {
   app.footer(
       "\nExample:\n  carom collide --disk 0,0,1,0 --disk 0.6,0.8,0,0 --explain\n\n'carom COMMAND --help' tells more.");
   Action action;
-  add_collide(app, action);
-  add_make(app, action);
-  add_run(app, action);
-  add_check(app, action);
-  add_info(app, action);
-  add_convert(app, action);
-  add_draw(app, action);
-
+  add_commands(app, action);
   try {
-    app.parse(count, words);
-    return action();
-  } catch (const CLI::ParseError& error) {
-    return report(app, error);
+    return parse_and_act(app, action, count, words);
   } catch (const UsageError& error) {
-    fmt::print(stderr, "carom: {}\n", error.what());
-    return kUsage;
+    return fail_usage(app, error.what());
   } catch (const Error& error) {
-    for (const Problem& problem : error.problems()) fmt::print(stderr, "carom: {}\n", to_string(problem));
-    return kFailure;
+    for (const Problem& problem : error.problems()) tell(to_string(problem));
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "carom: out of memory\n");
-    return kFailure;
+    tell("out of memory");
+  } catch (const std::exception& error) {
+    tell(fmt::format("this should not happen, please report it: {}", error.what()));
   }
+  return kFailure;
 }
 
 }  // namespace
+
+/// Where the caller closed stdin, stdout or stderr, puts something in its place that can be neither read nor written;
+/// else the next file opened would get its number, and our messages.
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
 }  // namespace carom::program
 
 int main(int count, char** words) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is an error like any other
+  carom::program::occupy_standard_streams();
+  // A file at its size limit and a pipe that nobody reads are errors like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   carom::program::remember_command_line(count, words);
   return carom::program::run_program(count, words);
 }

@@ -1,12 +1,15 @@
 // carom make: scenes from a few numbers.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <climits>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "carom/carom.hpp"
 #include "command.hpp"
+#include "options.hpp"
 
 namespace carom::program {
 namespace {
@@ -25,14 +28,14 @@ struct MakeOptions {
 /// Checks that the scene can be simulated, then writes it.
 int make_command(const MakeOptions& options) {
   const SceneFile file = options.make();
-  const Setup setup = realize(file.scene);
+  const Setup setup = realize_here(file.scene);
   const std::string toml = to_toml(file);
   if (options.out == "-") {
     print(toml);
   } else {
     write_file(options.out, toml);
-    fmt::print(stderr, "wrote {}: {}, {} disk{}\n", options.out, file.scene.title, setup.system.size(),
-               setup.system.size() == 1 ? "" : "s");
+    tell(fmt::format("wrote {}: {}, {} disk{}", options.out, file.scene.title, setup.system.size(),
+                     setup.system.size() == 1 ? "" : "s"));
   }
   return kSuccess;
 }
@@ -41,7 +44,9 @@ CLI::App* add_scene(CLI::App& make, const std::shared_ptr<MakeOptions>& options,
                     const std::string& description, const std::string& example, std::function<SceneFile()> scene,
                     Action& action) {
   CLI::App* command = add_command(make, name, description, example);
-  command->add_option("-o,--output", options->out, "the scene file to write (- for standard output)")->required();
+  command->add_option("-o,--output", options->out, "the scene file to write (- for standard output)")
+      ->required()
+      ->type_name("FILE");
   command->callback([options, scene = std::move(scene), &action] {
     options->make = scene;
     action = [options] { return make_command(*options); };
@@ -54,19 +59,17 @@ void add_gas(CLI::App& make, const std::shared_ptr<MakeOptions>& options, Action
   CLI::App* command = add_scene(
       make, options, "gas", "A gas of one or two kinds of disks in a box",
       "carom make gas --disks 400 --packing 0.5 --seed 7 -o gas.toml", [preset] { return make_gas(*preset); }, action);
-  command->add_option("--disks", preset->disks, "number of disks")->required();
-  command->add_option("--packing", preset->packing, "packing fraction of all disks together")->required();
-  command->add_option("--temperature", preset->temperature, "kT")->capture_default_str();
-  command->add_option("--seed", preset->seed, "of the velocities and places")->capture_default_str();
-  command->add_option("--boundary", preset->boundary, "periodic, reflecting or open")
-      ->transform(CLI::CheckedTransformer(kBoundaries).description(""));
-  command->add_option("--radius-ratio", preset->radius_ratio,
-                      "radius of the second kind of disks over that of the first");
-  command->add_option("--mass-ratio", preset->mass_ratio, "mass of the second kind over that of the first");
-  command->add_option("--fraction", preset->fraction, "share of disks of the second kind (0.5)");
-  command->add_option("--aspect", preset->aspect, "height of the box over its width");
-  command->add_option("--start", preset->start, "where the disks start: lattice or random")
-      ->transform(CLI::CheckedTransformer(kStarts).description(""));
+  add_count(*command, "--disks", preset->disks, "number of disks")->required();
+  add_number(*command, "--packing", preset->packing, "packing fraction of all disks together")->required();
+  add_number(*command, "--temperature", preset->temperature, "kT (1)");
+  add_count(*command, "--seed", preset->seed, "of the velocities and places (1)");
+  add_choice(*command, "--boundary", preset->boundary, kBoundaries, "periodic, reflecting or open");
+  add_number(*command, "--radius-ratio", preset->radius_ratio,
+             "radius of the second kind of disks over that of the first");
+  add_number(*command, "--mass-ratio", preset->mass_ratio, "mass of the second kind over that of the first");
+  add_number(*command, "--fraction", preset->fraction, "share of disks of the second kind (0.5)");
+  add_number(*command, "--aspect", preset->aspect, "height of the box over its width");
+  add_choice(*command, "--start", preset->start, kStarts, "where the disks start: lattice or random");
 }
 
 std::string list_of_scenes(const CLI::App& make) {
@@ -88,7 +91,7 @@ void add_make(CLI::App& app, Action& action) {
   // The subcommand's own callback runs after this one and has the last word.
   make->callback([make, options, &action] {
     if (!options->list && make->get_subcommands().empty()) {
-      throw UsageError("carom make: which scene? 'carom make --list' lists them");
+      throw UsageError("which scene? 'carom make --list' lists them");
     }
     if (options->list) action = [make] { return print(list_of_scenes(*make)), kSuccess; };
   });
@@ -98,21 +101,26 @@ void add_make(CLI::App& app, Action& action) {
             "carom make two-disks -o two-disks.toml", make_two_disks, action)
       ->alias("two-disk");
   const auto cradle_disks = std::make_shared<std::uint64_t>(5);
-  add_scene(
+  CLI::App* cradle = add_scene(
       *make, options, "cradle", "Newton's cradle between two walls", "carom make cradle --disks 5 -o cradle.toml",
-      [cradle_disks] { return make_cradle(*cradle_disks); }, action)
-      ->add_option("--disks", *cradle_disks, "number of disks, the incoming one included (5)");
+      [cradle_disks] {
+        require_memory_for(static_cast<double>(*cradle_disks));
+        return make_cradle(*cradle_disks);
+      },
+      action);
+  add_count(*cradle, "--disks", *cradle_disks, "number of disks, the incoming one included (5)");
   add_scene(*make, options, "break", "The break on a pool table", "carom make break -o break.toml", make_break, action);
-  const auto digits = std::make_shared<int>(4);
-  add_scene(
+  const auto digits = std::make_shared<std::uint64_t>(4);
+  CLI::App* galperin = add_scene(
       *make, options, "galperin", "Galperin's billiard: collisions count digits of pi",
-      "carom make galperin --digits 4 -o galperin.toml", [digits] { return make_galperin(*digits); }, action)
-      ->add_option("--digits", *digits, "digits of pi, from 1 to 7 (4): disk-disk contacts and wall hits together");
+      "carom make galperin --digits 4 -o galperin.toml",
+      [digits] { return make_galperin(static_cast<int>(std::min<std::uint64_t>(*digits, INT_MAX))); }, action);
+  add_count(*galperin, "--digits", *digits, "digits of pi, from 1 to 7 (4): disk-disk contacts and wall hits together");
   const auto seed = std::make_shared<std::uint64_t>(1);
-  add_scene(
+  CLI::App* brownian = add_scene(
       *make, options, "brownian", "A heavy disk in a gas of light ones", "carom make brownian -o brownian.toml",
-      [seed] { return make_brownian(*seed); }, action)
-      ->add_option("--seed", *seed, "of the velocities (1)");
+      [seed] { return make_brownian(*seed); }, action);
+  add_count(*brownian, "--seed", *seed, "of the velocities (1)");
 }
 
 }  // namespace carom::program

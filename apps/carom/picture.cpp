@@ -12,6 +12,7 @@
 #ifdef CAROM_HAS_DRAW
 #include "carom/draw/state.hpp"
 #include "interrupt.hpp"
+#include "options.hpp"
 #endif
 
 namespace carom::program {
@@ -33,7 +34,7 @@ int draw_command(const DrawOptions& options) {
     throw Error(fmt::format("--time {}: it must be a finite time, 0 or more", *options.time));
   }
   const SceneFile file = read_scene(options.file);
-  Simulation simulation(realize(file.scene));
+  Simulation simulation(realize_here(file.scene));
   simulation.stop_when(catch_interrupts());
   if (options.time && simulation.run_until(*options.time) == Simulation::Stop::interrupted) return kInterrupted;
   StatePicture picture = options.picture;
@@ -48,13 +49,16 @@ void add_draw(CLI::App& app, Action& action) {
   CLI::App* command =
       add_command(app, "draw", "A picture of a scene", "carom draw scenes/gas.toml --time 2 -o gas.svg");
   const auto options = std::make_shared<DrawOptions>();
-  command->add_option("FILE", options->file, "a scene, or an extended XYZ file (its last frame)")->required();
-  command->add_option("-o,--output", options->out, "the picture: a name ending in .svg, .png or .pdf")->required();
-  command->add_option("--time", options->time, "simulate to this time first");
-  command->add_option("--colour,--color", options->picture.colour, "by species or by speed")
-      ->transform(CLI::CheckedTransformer(kColours).description(""));
+  command->add_option("FILE", options->file, "a scene, or an extended XYZ file (its last frame)")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", options->out, "the picture: a name ending in .svg, .png or .pdf")
+      ->required()
+      ->type_name("FILE");
+  add_number(*command, "--time", options->time, "simulate to this time first");
+  add_choice(*command, "--colour,--color", options->picture.colour, kColours, "by species or by speed");
   command->add_flag("--velocities", options->picture.velocities, "draw the velocities as arrows");
-  command->add_option("--width", options->picture.width_px, "of the picture in pixels (1000)");
+  add_number(*command, "--width", options->picture.width_px, "of the picture in pixels (1000)");
   command->add_option("--title", options->picture.title, "above the picture (the scene's)");
   command->callback([options, &action] { action = [options] { return draw_command(*options); }; });
 }

@@ -65,7 +65,8 @@ void ProgressBar::show(const Progress& progress) {
   last_drawn_ = now;
   drawn_ = true;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "\r{}\033[K", progress_line(progress, seconds, terminal_columns()));
+  const std::string line = fmt::format("\r{}\033[K", progress_line(progress, seconds, terminal_columns()));
+  std::fputs(line.c_str(), stderr);  // a terminal that is gone is no reason to end the run
   std::fflush(stderr);
 }
 

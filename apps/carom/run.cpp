@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,21 +10,26 @@
 #include "carom/carom.hpp"
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 
 namespace carom::program {
 namespace {
+
+const std::map<std::string, SolverKind> kSolvers{{"reference", SolverKind::reference}};
+const std::map<std::string, std::optional<TrajectoryFormat>> kTrajectories{{"xyz", TrajectoryFormat::xyz},
+                                                                           {"none", TrajectoryFormat::none}};
 
 struct RunOptions {
   std::string scene;
   std::optional<double> until;
   std::optional<std::uint64_t> collisions;
   std::optional<double> equilibrate;
-  std::string solver = "reference";
+  SolverKind solver = SolverKind::reference;
   std::optional<std::uint64_t> seed;
   std::string out;
   std::optional<double> every;
-  std::string trajectory;
+  std::optional<TrajectoryFormat> trajectory;
   std::string log_collisions;
   bool overwrite = false;
   bool json = false;
@@ -45,7 +51,7 @@ void check_options(const RunOptions& options) {
   if (options.collisions && *options.collisions == 0) throw Error("--collisions 0: it must be greater than 0");
   if (!options.out.empty()) return;
   if (options.every) throw UsageError("--every writes frames of the trajectory: it needs --out DIR");
-  if (!options.trajectory.empty() && options.trajectory != "none") throw UsageError("--trajectory needs --out DIR");
+  if (options.trajectory == TrajectoryFormat::xyz) throw UsageError("--trajectory xyz needs --out DIR");
   if (options.overwrite) throw UsageError("--overwrite goes with --out DIR");
 }
 
@@ -60,10 +66,9 @@ RunSettings settled(RunSettings settings, const RunOptions& options) {
   }
   if (options.equilibrate) settings.equilibrate = *options.equilibrate;
   if (options.every) settings.every = options.every;
-  if (options.trajectory == "none") settings.trajectory = TrajectoryFormat::none;
-  if (options.trajectory == "xyz" || (options.trajectory.empty() && options.every))
-    settings.trajectory = TrajectoryFormat::xyz;
-  if (settings.trajectory != TrajectoryFormat::none && !settings.every && options.trajectory == "xyz") {
+  if (options.every) settings.trajectory = TrajectoryFormat::xyz;
+  if (options.trajectory) settings.trajectory = *options.trajectory;
+  if (options.trajectory == TrajectoryFormat::xyz && !settings.every) {
     throw UsageError("--trajectory xyz needs --every DT, the time between two frames");
   }
   return settings;
@@ -78,13 +83,12 @@ void reseed(Scene& scene, std::uint64_t seed) {
 int conclude(const RunEnd& end, const RunOptions& options) {
   print(options.json ? report_json(end.record) : report_text(end.record));
   if (end.exhausted)
-    fmt::print(stderr, "carom: no two disks can meet any more: the run ended at {} collisions\n",
-               end.record.summary.collisions);
+    tell(fmt::format("no two disks can meet any more: the run ended at {} collisions", end.record.summary.collisions));
   const std::vector<std::string> broken = violations(end.record.summary);
-  for (const std::string& violation : broken) fmt::print(stderr, "carom: DO NOT TRUST THIS RUN: {}\n", violation);
+  for (const std::string& violation : broken) tell("DO NOT TRUST THIS RUN: " + violation);
   if (end.interrupted) {
-    fmt::print(stderr, "carom: interrupted; this is the state at time {}, the start of the window in flight{}\n",
-               end.record.summary.time, options.out.empty() ? "" : fmt::format("; it is in {}", options.out));
+    tell(fmt::format("interrupted; this is the state at time {}, the start of the window in flight{}",
+                     end.record.summary.time, options.out.empty() ? "" : "; it is in " + options.out));
     return kInterrupted;
   }
   return broken.empty() ? kSuccess : kFailure;
@@ -97,9 +101,10 @@ int run_command(const RunOptions& options) {
 
   RunPlan plan;
   plan.settings = settled(file.run, options);
+  plan.solver = options.solver;
   plan.title = file.scene.title;
   plan.command = command_line();
-  Setup setup = realize(file.scene);
+  Setup setup = realize_here(file.scene);
   if (!options.out.empty()) plan.directory.emplace(options.out, options.overwrite);
   if (!options.log_collisions.empty()) plan.collisions_file = options.log_collisions;
 
@@ -120,21 +125,21 @@ void add_run(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RunOptions>();
   command
       ->add_option("SCENE", options->scene, "a scene (TOML), an algs4 CollisionSystem file, an extended XYZ file, or -")
-      ->required();
-  command->add_option("--until", options->until, "simulate to this time");
-  command->add_option("--collisions", options->collisions,
-                      "stop at the first window's end at or after so many collisions");
-  command->add_option("--equilibrate", options->equilibrate,
-                      "measure the pressure from the first window after this time");
-  command->add_option("--solver", options->solver, "which solver: reference; all give the same bits")
-      ->check(CLI::IsMember({"reference"}))
-      ->default_str("reference");
-  command->add_option("--seed", options->seed, "take the place of the seeds in the scene");
-  command->add_option("--out", options->out, "directory for report.json, scene.toml, final.xyz and the trajectory");
-  command->add_option("--every", options->every, "time between two frames of the trajectory");
-  command->add_option("--trajectory", options->trajectory, "format of the trajectory: xyz or none")
-      ->check(CLI::IsMember({"xyz", "none"}));
-  command->add_option("--log-collisions", options->log_collisions, "write every collision to this CSV file");
+      ->required()
+      ->type_name("");
+  add_number(*command, "--until", options->until, "simulate to this time");
+  add_count(*command, "--collisions", options->collisions,
+            "stop at the first window's end at or after so many collisions");
+  add_number(*command, "--equilibrate", options->equilibrate,
+             "measure the pressure from the first window after this time");
+  add_choice(*command, "--solver", options->solver, kSolvers, "which solver: reference; all give the same bits");
+  add_count(*command, "--seed", options->seed, "take the place of the seeds in the scene");
+  command->add_option("--out", options->out, "directory for report.json, scene.toml, final.xyz and the trajectory")
+      ->type_name("DIR");
+  add_number(*command, "--every", options->every, "time between two frames of the trajectory");
+  add_choice(*command, "--trajectory", options->trajectory, kTrajectories, "format of the trajectory: xyz or none");
+  command->add_option("--log-collisions", options->log_collisions, "write every collision to this CSV file")
+      ->type_name("FILE");
   command->add_flag("--overwrite", options->overwrite, "replace the run that is in the directory");
   command->add_flag("--json", options->json, "print the report as one JSON object");
   command->add_flag("--quiet", options->quiet, "show no progress");

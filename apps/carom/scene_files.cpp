@@ -37,7 +37,7 @@ struct Info {
 Info read_info(const std::string& path) {
   Info info;
   info.file = read_scene(path);
-  info.setup = realize(info.file.scene);
+  info.setup = realize_here(info.file.scene);
   if (ending_of(path) != ".xyz") return info;
   XyzReader reader(path);
   info.frames = 0;
@@ -109,7 +109,7 @@ int convert_command(const std::string& in, const std::string& out) {
     throw Error(fmt::format("cannot convert to {}: give a name that ends in .toml or .xyz", out));
   }
   SceneFile file = read_scene(in);
-  const Setup setup = realize(file.scene);
+  const Setup setup = realize_here(file.scene);
   if (ending == ".xyz") {
     write_file(out, xyz_frame(setup.system, setup.frame));
   } else {
@@ -124,7 +124,7 @@ int convert_command(const std::string& in, const std::string& out) {
 void add_check(CLI::App& app, Action& action) {
   CLI::App* command = add_command(app, "check", "Everything that is wrong with a scene", "carom check scenes/gas.toml");
   const auto path = std::make_shared<std::string>();
-  command->add_option("SCENE", *path, "the scene file")->required();
+  command->add_option("SCENE", *path, "the scene file")->required()->type_name("");
   command->callback([path, &action] { action = [path] { return check_command(*path); }; });
 }
 
@@ -132,7 +132,7 @@ void add_info(CLI::App& app, Action& action) {
   CLI::App* command = add_command(app, "info", "What a scene or trajectory holds", "carom info scenes/gas.toml");
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  command->add_option("FILE", *path, "the scene or extended XYZ file")->required();
+  command->add_option("FILE", *path, "the scene or extended XYZ file")->required()->type_name("");
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([path, json, &action] { action = [path, json] { return info_command(*path, *json); }; });
 }
@@ -142,8 +142,8 @@ void add_convert(CLI::App& app, Action& action) {
       add_command(app, "convert", "Rewrite a scene in another format", "carom convert scenes/gas.toml gas.xyz");
   const auto in = std::make_shared<std::string>();
   const auto out = std::make_shared<std::string>();
-  command->add_option("IN", *in, "TOML, algs4 text or extended XYZ")->required();
-  command->add_option("OUT", *out, "a name ending in .toml or .xyz")->required();
+  command->add_option("IN", *in, "TOML, algs4 text or extended XYZ")->required()->type_name("");
+  command->add_option("OUT", *out, "a name ending in .toml or .xyz")->required()->type_name("");
   command->callback([in, out, &action] { action = [in, out] { return convert_command(*in, *out); }; });
 }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr double kOutlined = 3;            // pixels of radius: smaller disks have no outline
 constexpr double kLeastVisible = 1.2;      // pixels of radius: smaller ones are drawn larger …
 constexpr double kSpacingShare = 0.3;      // … but not so large that they would fill the plane
+constexpr double kGreatestRadius = 1e5;    // pixels: no picture is wider, and Cairo's arcs stay short of overflow
 constexpr std::size_t kMostWithIds = 200;  // disks
 constexpr double kLeastIdSize = 6;         // pixels
 constexpr double kGreatestIdSize = 16;     // pixels
@@ -25,7 +26,8 @@ struct Spot {
 };
 
 double drawn_radius(const System& system, std::size_t k, const StateView& view) {
-  return std::max(view.scale * system.radius(k), std::min(kLeastVisible, kSpacingShare * view.spacing));
+  const double radius = std::min(view.scale * system.radius(k), kGreatestRadius);
+  return std::max(radius, std::min(kLeastVisible, kSpacingShare * view.spacing));
 }
 
 // Frames made by hand may not be wrapped.
@@ -34,7 +36,7 @@ Vec2 wrapped(const Box& box, Vec2 p) {
           box.periodic(1) ? wrap(p.y, box.size.y).coordinate : p.y};
 }
 
-// The disk and its copies that reach into the area. A copy is shifted by the area's own width or height.
+// The disk and its copies across periodic edges, as far as they reach into the area.
 void spots_of(const System& system, const Frame& frame, std::size_t k, const StateView& view,
               std::vector<Spot>& spots) {
   spots.clear();
@@ -43,10 +45,10 @@ void spots_of(const System& system, const Frame& frame, std::size_t k, const Sta
   const int across = system.box.periodic(0) ? 1 : 0, up = system.box.periodic(1) ? 1 : 0;
   for (int x = -across; x <= across; ++x) {
     for (int y = -up; y <= up; ++y) {
-      const Vec2 copy = centre + Vec2{x * view.area.width(), y * view.area.height()};
+      const Vec2 copy = centre + Vec2{x * view.scale * system.box.size.x, y * view.scale * system.box.size.y};
       const Rect reach = view.area.grown(radius);
       const bool seen = copy.x > reach.left && copy.x < reach.right && copy.y > reach.top && copy.y < reach.bottom;
-      if (seen || (x == 0 && y == 0)) spots.push_back({copy, radius});
+      if (seen) spots.push_back({copy, radius});
     }
   }
 }

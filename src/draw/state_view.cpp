@@ -13,6 +13,14 @@ constexpr double kThinnest = 1e-4;        // of the longer side: a region is nev
 constexpr double kArrowShare = 0.9;       // of the disks' spacing, for the fastest disk
 constexpr double kLongestArrow = 0.2;     // of the region's shorter side
 
+constexpr double kSmallest = 1e-290;  // length: pixels per length stay finite
+
+// What is shown along one axis.
+struct Interval {
+  double middle = 0;
+  double half = 0;
+};
+
 struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -28,29 +36,28 @@ struct Range {
 
 double component(Vec2 v, int axis) { return axis == 0 ? v.x : v.y; }
 
-// Along one axis; `reach` is the time that arrows show.
-Range range_shown(const System& system, const Frame& frame, int axis, double reach) {
-  Range range;
+// `reach` is the time that arrows show.
+Interval shown_along(const System& system, const Frame& frame, int axis, double reach) {
   if (system.box.boundary[axis] != Boundary::open) {
-    range.include(0, component(system.box.size, axis));
-    return range;
+    const double half = 0.5 * component(system.box.size, axis);
+    return {half, half};
   }
+  Range range;
   for (std::size_t k = 0; k < frame.size(); ++k) {
     const double centre = component(frame.position(k), axis), tip = reach * component(frame.velocity(k), axis);
     range.include(centre - system.radius(k), centre + system.radius(k));
     range.include(centre + tip, centre + tip);
   }
-  const double grown = kOpenMargin * range.half();
-  const double middle = range.middle();
-  return {middle - grown, middle + grown};
+  // Far from the origin rounding can swallow a radius.
+  return {range.middle(), kOpenMargin * std::max(range.half(), system.largest_radius())};
 }
 
 void set_region(const System& system, const Frame& frame, double reach, StateView& view) {
-  const Range x = range_shown(system, frame, 0, reach);
-  const Range y = range_shown(system, frame, 1, reach);
-  view.middle = {x.middle(), y.middle()};
-  const double longer = std::max({x.half(), y.half(), std::numeric_limits<double>::min()});
-  view.half = {std::max(x.half(), kThinnest * longer), std::max(y.half(), kThinnest * longer)};
+  const Interval x = shown_along(system, frame, 0, reach);
+  const Interval y = shown_along(system, frame, 1, reach);
+  view.middle = {x.middle, y.middle};
+  const double longer = std::max({x.half, y.half, kSmallest});
+  view.half = {std::max(x.half, kThinnest * longer), std::max(y.half, kThinnest * longer)};
 }
 
 // Length of the fastest disk's arrow (length).

@@ -1,6 +1,8 @@
 // The derivation for an 80-column terminal.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "document.hpp"
 #include "notation.hpp"
 
@@ -67,8 +69,13 @@ void append(std::string& out, const Paragraph& paragraph) {
 void append(std::string& out, const Row& row) {
   const std::string label = spaces(kIndent) + row.label + ":";
   std::vector<std::string> cells;
-  for (const Chain& chain : row.chains) cells.push_back(spaces(2) + written_on_one_line(chain, Notation::text));
-  append_wrapped(out, label + " ", cells, width(label) + 1);
+  int longest = 0;
+  for (const Chain& chain : row.chains) {
+    cells.push_back(spaces(2) + written_on_one_line(chain, Notation::text));
+    longest = std::max(longest, width(cells.back()));
+  }
+  const int aligned = width(label) + 1;
+  append_wrapped(out, label + " ", cells, aligned + longest <= kColumns ? aligned : kIndent + 2);
 }
 
 void append(std::string& out, const Listing& listing) {

@@ -47,7 +47,7 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
   constexpr std::size_t kLongest = 40;  // nothing longer resembles a key
   if (word.size() > kLongest) return {};
   std::string_view nearest;
-  std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t fewest = std::max<std::size_t>(1, word.size() / 2) + 1;
   for (const std::string_view candidate : candidates) {
     const std::size_t edits = edits_between(word, candidate);
     if (edits < fewest) {

@@ -26,10 +26,15 @@ struct Stretch {
   double length = 0;
 };
 
+/// Along an open axis a box may have no size.
+bool box_bounds(int axis, const Box& box) noexcept {
+  return box.boundary[axis] != Boundary::open || (axis == 0 ? box.size.x : box.size.y) > 0;
+}
+
 /// The box along one axis or, where nothing bounds it, what the disks cover.
 Stretch stretch_along(int axis, const System& system, const Frame& frame) {
   const double size = axis == 0 ? system.box.size.x : system.box.size.y;
-  if (size > 0 || frame.size() == 0) return {0, size};
+  if (box_bounds(axis, system.box) || frame.size() == 0) return {0, size};
   const std::vector<double>& centres = axis == 0 ? frame.x : frame.y;
   double low = centres[0] - system.radius(0);
   double high = centres[0] + system.radius(0);

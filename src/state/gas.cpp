@@ -179,14 +179,18 @@ Placement place_in_empty_box(const Box& box, std::size_t count, double radius) {
 /// Obstacles take sites away: lattices with more and more sites are tried until enough of them are clear.
 Placement place_around(const Box& box, std::size_t count, double radius, const Obstacles& obstacles) {
   Placement best;
-  for (std::size_t sites = count; sites <= 8 * count + 64; sites += 1 + sites / 64) {
+  for (std::size_t sites = count; sites <= 8 * count + 64;) {
+    double share = 0;                        // of sites that are clear
     std::size_t tries = 4 + 20'000 / sites;  // the loosest few are enough where there are many sites
     for (const Lattice& lattice : candidate_lattices(box, sites, radius)) {
       if (!fits(lattice, radius) || tries-- == 0) break;
       const std::vector<std::size_t> clear = obstacles.clear_sites(lattice, radius);
       if (clear.size() >= count) return {spread(lattice, clear, count), 1};
       if (clear.size() > best.positions.size()) best = {spread(lattice, clear, clear.size()), 0};
+      share = std::max(share, static_cast<double>(clear.size()) / static_cast<double>(lattice.sites()));
     }
+    const double likely = share > 0 ? 0.95 * static_cast<double>(count) / share : 0;
+    sites = std::max(sites + 1 + sites / 64, static_cast<std::size_t>(std::min(likely, 1e18)));
   }
   return best;
 }
@@ -196,13 +200,14 @@ Placement place_around(const Box& box, std::size_t count, double radius, const O
 Placement place_on_lattice(const Box& box, std::size_t count, double radius, std::span<const Obstacle> obstacles) {
   if (obstacles.empty()) return place_in_empty_box(box, count, radius);
   const Obstacles around(box, obstacles, radius, count);
-  Placement placement = place_around(box, count, radius, around);
-  // What could be placed of too many must be what a caller who asks for just that many gets.
-  for (std::size_t asked = count; placement.positions.size() < asked && !placement.positions.empty();) {
+  // What can be placed of too many must be what a caller who asks for just that many gets.
+  std::size_t asked = most_on_lattice(box, count, radius);
+  Placement placement = place_around(box, asked, radius, around);
+  while (placement.positions.size() < asked && !placement.positions.empty()) {
     asked = placement.positions.size();
     placement = place_around(box, asked, radius, around);
-    placement.room = 0;
   }
+  if (placement.positions.size() < count) placement.room = 0;
   return placement;
 }
 

@@ -73,7 +73,7 @@ class Realization {
     box.boundary = scene_.boundary;
     if (scene_.size) {
       box.size = *scene_.size;
-      return check_box_matches_packing();
+      return;
     }
     if (scene_.aspect && !positive(*scene_.aspect)) {
       return complain(scene_.box_place,
@@ -92,20 +92,6 @@ class Realization {
       box.size = {width, width * aspect};
     } else if (box.boundary != std::array{Boundary::open, Boundary::open} || !scene_.gas.empty()) {
       complain(scene_.box_place, "the box needs a size, or a gas with a packing_fraction that sets it");
-    }
-  }
-
-  void check_box_matches_packing() {
-    const double area = setup_.system.box.size.x * setup_.system.box.size.y;
-    for (const GasSpec& gas : scene_.gas) {
-      if (!gas.count || !gas.packing_fraction || !positive(area)) continue;
-      const double one = kPi * gas.radius * gas.radius / area;
-      const double actual = one * static_cast<double>(*gas.count);
-      if (std::abs(actual - *gas.packing_fraction) <= one) continue;
-      complain(gas.place,
-               fmt::format("count, packing_fraction and the box's size disagree: {} disks in this box are a packing "
-                           "fraction of {:.6g}, not {}; leave one out",
-                           *gas.count, actual, *gas.packing_fraction));
     }
   }
 

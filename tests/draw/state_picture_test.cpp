@@ -164,6 +164,15 @@ TEST(StatePicture, ADiskAloneAndADiskAtRest) {
   }
 }
 
+TEST(StatePicture, EvenStatesThatCannotBeSimulatedCanBeSeen) {
+  auto setup = box(Boundary::reflecting, {1, 1});
+  add(setup, {0.5, 0.5}, {1, 0}, 1e300);
+  add(setup, {1e300, -1e300}, {0, 1});
+  EXPECT_TRUE(test::is_well_formed_xml(svg_of(setup, {.velocities = true, .title = ""})));
+  setup.system.box.boundary = {Boundary::periodic, Boundary::periodic};
+  EXPECT_TRUE(test::is_well_formed_xml(svg_of(setup, {.velocities = true, .title = ""})));
+}
+
 TEST(StatePicture, RefusesWhatCannotBeDrawn) {
   auto setup = box(Boundary::periodic);
   EXPECT_THROW(svg_of(setup), Error);

@@ -17,10 +17,10 @@ struct GasPreset {
   double temperature = 1;  ///< kT
   std::uint64_t seed = 1;
   Boundary boundary = Boundary::periodic;
-  double radius_ratio = 1;         ///< of the second kind to the first
-  double mass_ratio = 1;           ///< of the second kind to the first
-  std::optional<double> fraction;  ///< share of disks that are of the second kind; ½ if a ratio is not 1
-  double aspect = 1;               ///< height/width of the box
+  double radius_ratio = 1;              ///< of the second kind to the first
+  double mass_ratio = 1;                ///< of the second kind to the first
+  std::optional<double> fraction = {};  ///< share of disks that are of the second kind; ½ if a ratio is not 1
+  double aspect = 1;                    ///< height/width of the box
   GasStart start = GasStart::lattice;
 };
 

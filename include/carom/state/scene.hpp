@@ -16,11 +16,11 @@ namespace carom {
 
 /// One disk, given in full.
 struct DiskSpec {
-  Vec2 position;
-  Vec2 velocity;
+  Vec2 position = {};
+  Vec2 velocity = {};
   double radius = 0.5;
   double mass = 1;
-  Place place;  ///< where it was read; empty if it was made by a program
+  Place place = {};  ///< where it was read; empty if it was made by a program
 };
 
 /// Where the disks of a gas start.
@@ -31,15 +31,15 @@ enum class GasStart {
 
 /// Many equal disks with velocities from Maxwell's distribution.
 struct GasSpec {
-  std::optional<std::uint64_t> count;  ///< if absent, from packing_fraction and the box's size
-  std::optional<double>
-      packing_fraction;  ///< area of this gas's disks over that of the box; sets the box if it has no size
+  std::optional<std::uint64_t> count = {};  ///< if absent, from packing_fraction and the box's size
+  /// Area of this gas's disks over that of the box; sets the box if it has no size.
+  std::optional<double> packing_fraction = {};
   double radius = 0.5;
   double mass = 1;
   double temperature = 1;  ///< kT, in mass × length²/time²
   std::uint64_t seed = 1;  ///< of places and velocities; with several gases every seed matters to all of them
   GasStart start = GasStart::lattice;
-  Place place;
+  Place place = {};
 };
 
 /// What a scene file says of the initial state and of the physics.

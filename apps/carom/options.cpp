@@ -1,0 +1,92 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "command.hpp"
+
+namespace carom::program {
+namespace {
+
+/// The whole text as a finite number, or nothing. CLI11's own conversion goes through long double and rounds twice.
+std::optional<double> number_in(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Digits, or a number like 1e6 that is whole and, below 2⁵³, means just one.
+std::optional<std::uint64_t> count_in(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size()) return value;
+  const std::optional<double> number = number_in(text);
+  const bool whole = number && *number >= 0 && *number < 0x1p53 && *number == std::rint(*number);
+  return whole ? std::optional(static_cast<std::uint64_t>(*number)) : std::nullopt;
+}
+
+double parse_number(std::string_view option, const std::string& text) {
+  const std::optional<double> value = number_in(text);
+  if (!value) throw UsageError(fmt::format("{}: '{}' is not a finite number", option, text));
+  return *value;
+}
+
+std::uint64_t parse_count(std::string_view option, const std::string& text) {
+  const std::optional<std::uint64_t> value = count_in(text);
+  if (!value) throw UsageError(fmt::format("{}: '{}' is not a whole number, 0 or more", option, text));
+  return *value;
+}
+
+template <typename Target, typename Parse>
+CLI::Option* add(CLI::App& command, const std::string& name, Target& target, const std::string& description,
+                 const char* type, Parse parse) {
+  return command
+      .add_option_function<std::string>(
+          name, [&target, name, parse](const std::string& text) { target = parse(name, text); }, description)
+      ->type_name(type);
+}
+
+}  // namespace
+
+void refuse_choice(const std::string& option, const std::string& text, const std::vector<std::string>& names) {
+  throw UsageError(fmt::format("{}: '{}' is not one of {}", option, text, fmt::join(names, ", ")));
+}
+
+std::vector<double> parse_numbers(std::string_view option, const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const std::optional<double> value = number_in(word);
+    if (!value) throw UsageError(fmt::format("{} {}: '{}' is not a finite number", option, text, word));
+    numbers.push_back(*value);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, double& target, const std::string& description) {
+  return add(command, name, target, description, "NUMBER", parse_number);
+}
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& target,
+                        const std::string& description) {
+  return add(command, name, target, description, "NUMBER", parse_number);
+}
+
+CLI::Option* add_count(CLI::App& command, const std::string& name, std::uint64_t& target,
+                       const std::string& description) {
+  return add(command, name, target, description, "COUNT", parse_count);
+}
+
+CLI::Option* add_count(CLI::App& command, const std::string& name, std::optional<std::uint64_t>& target,
+                       const std::string& description) {
+  return add(command, name, target, description, "COUNT", parse_count);
+}
+
+}  // namespace carom::program

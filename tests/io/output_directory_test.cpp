@@ -1,0 +1,77 @@
+// A run's directory is ready before the run begins, and an earlier run is not overwritten unasked.
+#include "carom/io/output_directory.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "carom/io/file.hpp"
+#include "scratch.hpp"
+
+namespace carom {
+namespace {
+
+TEST(OutputDirectory, IsCreatedWithItsParentsAndStaysEmpty) {
+  const Scratch scratch;
+  const OutputDirectory directory(scratch / "a/b/c");
+  EXPECT_TRUE(std::filesystem::is_directory(scratch / "a/b/c"));
+  EXPECT_TRUE(std::filesystem::is_empty(scratch / "a/b/c"));
+  EXPECT_EQ(directory.report(), scratch / "a/b/c/report.json");
+}
+
+TEST(OutputDirectory, RefusesEveryTraceOfARun) {
+  for (const std::string name : {"report.json", "scene.toml", "final.xyz", "trajectory.xyz", "trajectory.h5md",
+                                 "collisions.csv", "checkpoint.h5"}) {
+    const Scratch scratch;
+    write_file(scratch / name, "old");
+    EXPECT_EQ(message_of([&] { OutputDirectory directory(scratch.path()); }),
+              scratch.path() + ": holds a run already (" + name + "): choose another or overwrite it");
+    EXPECT_EQ(read_file(scratch / name), "old");
+  }
+}
+
+TEST(OutputDirectory, OverwritingRemovesTheOldRunAndLeavesOtherFiles) {
+  const Scratch scratch;
+  write_file(scratch / "trajectory.xyz", "old");
+  write_file(scratch / "notes.txt", "mine");
+  const OutputDirectory directory(scratch.path(), true);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "trajectory.xyz"));
+  EXPECT_EQ(read_file(scratch / "notes.txt"), "mine");
+}
+
+TEST(OutputDirectory, RefusesAFileInItsPlace) {
+  const Scratch scratch;
+  write_file(scratch / "a", "x");
+  EXPECT_EQ(message_of([&] { OutputDirectory directory(scratch / "a"); }),
+            scratch / "a" + ": is not a directory: the output needs one");
+  EXPECT_NE(message_of([&] { OutputDirectory directory(scratch / "a/b"); }).find("cannot be created"),
+            std::string::npos);
+}
+
+TEST(OutputDirectory, RefusesWhatItCannotWriteTo) {
+  const Scratch scratch;
+  chmod(scratch.path().c_str(), 0755);
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;  // root may write anywhere
+    if (getuid() == 0) {
+      if (setgid(kNobody) != 0 || setuid(kNobody) != 0) _exit(3);
+    } else {
+      chmod(scratch.path().c_str(), 0555);
+    }
+    try {
+      OutputDirectory directory(scratch.path());
+    } catch (const Error& error) {
+      _exit(std::string(error.what()).find("no file can be written here") == std::string::npos ? 2 : 0);
+    }
+    _exit(1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+}  // namespace
+}  // namespace carom
