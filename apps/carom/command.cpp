@@ -68,7 +68,15 @@ Setup realize_here(const Scene& scene) {
     disks += expected_disks(gas, scene.size);
     require_memory_for(disks, gas.place);
   }
-  return realize(scene);
+  try {
+    return realize(scene);
+  } catch (const Error& error) {
+    std::vector<Problem> problems = error.problems();
+    for (Problem& problem : problems) {
+      if (problem.place.file.empty()) problem.place.file = scene.box_place.file;
+    }
+    throw Error(problems);
+  }
 }
 
 std::string command_line() { return the_command_line; }

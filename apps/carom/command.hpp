@@ -24,6 +24,9 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A signal stopped a command that has nothing to save: exit code 130, no message.
+class Interrupted : public std::exception {};
+
 /// What the chosen command does, set while the command line is parsed; returns the exit code.
 using Action = std::function<int()>;
 
@@ -50,7 +53,8 @@ void tell(const std::string& message);
 /// Throws Error at once where this machine's memory cannot hold so many disks.
 void require_memory_for(double disks, const Place& place = {});
 
-/// realize(), but throws Error at once for a scene that this machine's memory cannot hold.
+/// realize(), but throws Error at once for a scene that this machine's memory cannot hold, and every problem names the
+/// scene's file.
 Setup realize_here(const Scene& scene);
 
 /// The words the program was called with, as one line.

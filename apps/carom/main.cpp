@@ -77,6 +77,8 @@ int run_program(int count, char** words) {
     return parse_and_act(app, action, count, words);
   } catch (const UsageError& error) {
     return fail_usage(app, error.what());
+  } catch (const Interrupted&) {
+    return kInterrupted;
   } catch (const Error& error) {
     for (const Problem& problem : error.problems()) tell(to_string(problem));
   } catch (const std::bad_alloc&) {

@@ -45,8 +45,8 @@ std::string progress_line(const Progress& progress, double seconds, int columns)
   if (room < 5) return facts.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
   const int width = std::min(room, 40);
   const int filled = static_cast<int>(done * width);
-  return '[' + std::string(static_cast<std::size_t>(filled), '=') +
-         std::string(static_cast<std::size_t>(width - filled), ' ') + ']' + facts;
+  return fmt::format("[{}{}]{}", std::string(static_cast<std::size_t>(filled), '='),
+                     std::string(static_cast<std::size_t>(width - filled), ' '), facts);
 }
 
 ProgressBar::ProgressBar(bool wanted) : visible_(wanted && isatty(STDERR_FILENO) == 1) {}

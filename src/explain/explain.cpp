@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -85,7 +86,7 @@ bool approaches_exactly(const ExplainedCollision& collision) {
 
 // Whether the printed velocities are those of double precision, to six digits of the largest speed.
 bool agrees(const Derivation& derivation, const rule::Velocities& after) {
-  const double doubles[] = {after.first.x, after.first.y, after.second.x, after.second.y};
+  const std::array doubles = {after.first.x, after.first.y, after.second.x, after.second.y};
   Decimal largest = 0;
   Decimal difference = 0;
   for (std::size_t k = 0; k < 4; ++k) {

@@ -111,7 +111,7 @@ Expr dot(const Expr& a, const Expr& b) { return make(Kind::dot, {a, b}); }
 
 Expr substituted(const Expr& formula, const Values& values) {
   if (formula->kind == Kind::symbol) return Expr(values.at(formula->name.text));
-  const Expr result = with_parts(formula, [&](const Expr& part) { return substituted(part, values); });
+  Expr result = with_parts(formula, [&](const Expr& part) { return substituted(part, values); });
   if (result->kind != Kind::negation || !is_number(result->parts[0])) return result;
   const Quantity& negated = result->parts[0]->number;  // -0.8 is a number, -0 is 0, -(-0.8) has yet to be worked out
   return negated.value < 0 ? result : Expr(Quantity{-negated.value, negated.exact});

@@ -12,7 +12,7 @@ namespace {
 constexpr int kColumns = 80;
 constexpr int kIndent = 4;  // of mathematics; "(5) " fills it
 
-std::string spaces(int count) { return std::string(static_cast<std::size_t>(count), ' '); }
+std::string spaces(int count) { return fmt::format("{:{}}", "", count); }
 
 // Appends `pieces` to `line`, beginning a new line (indented by `indent`) where the next one does not fit.
 void append_wrapped(std::string& out, std::string line, const std::vector<std::string>& pieces, int indent) {

@@ -49,7 +49,7 @@ struct Symbols {
   Expr e = symbol("e", "e");
   Expr time = symbol("t_c", "t_c");
   Expr dx = symbol("Δx", "\\Delta x"), dy = symbol("Δy", "\\Delta y");
-  Expr n = symbol("n", "\\mathbf{n}"), distance = symbol("|n|", "\\lvert \\mathbf{n} \\rvert");
+  Expr n = symbol("n", "\\mathbf{n}"), distance = symbol("|n|", R"(\lvert \mathbf{n} \rvert)");
   Expr t = symbol("t", "\\mathbf{t}");
   Expr un = symbol("un", "\\mathbf{un}"), unx = symbol("un_x", "\\mathit{un}_x"),
        uny = symbol("un_y", "\\mathit{un}_y");
