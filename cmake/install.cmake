@@ -19,8 +19,7 @@ foreach(component IN LISTS carom_components)
   install(DIRECTORY include/carom/${component} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/carom OPTIONAL
           FILES_MATCHING PATTERN "*.hpp")
 endforeach()
-install(DIRECTORY include/carom/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/carom
-        FILES_MATCHING PATTERN "*.hpp" PATTERN "*/*" EXCLUDE)
+install(FILES include/carom/carom.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/carom)
 
 if(TARGET carom_program)
   install(TARGETS carom_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

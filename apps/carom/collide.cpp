@@ -63,6 +63,8 @@ struct Meeting {
   double time = 0;
 
   [[nodiscard]] Vec2 r() const noexcept { return second.position - first.position; }
+  /// Distance of the centres at contact; the disks must have radii.
+  [[nodiscard]] double sigma() const { return *first.radius + *second.radius; }
   [[nodiscard]] rule::Velocities before() const noexcept { return {first.velocity, second.velocity}; }
 };
 
@@ -79,22 +81,25 @@ void require_computable(const Meeting& meeting) {
   }
 }
 
+void require_line_of_centres(const Meeting& meeting) {
+  if (length(meeting.r()) < 1e-75)
+    throw Error("the disks have the same centre: there is no line of centres to collide along");
+}
+
 void require_contact(const Meeting& meeting) {
-  const double distance = length(meeting.r());
-  if (distance < 1e-75) throw Error("the disks have the same centre: there is no line of centres to collide along");
   if (!meeting.first.radius) return;
-  const double sigma = *meeting.first.radius + *meeting.second.radius;
-  const double gap = distance - sigma;
-  if (gap <= kOverlapTolerance * sigma) return;
+  const double gap = length(meeting.r()) - meeting.sigma();
+  if (gap <= kOverlapTolerance * meeting.sigma()) return;
   throw Error(fmt::format(
       "the disks do not touch: their rims are {:.6g} apart; --advance moves them to their first contact", gap));
 }
 
 void advance_to_contact(Meeting& meeting) {
   if (!meeting.first.radius) throw UsageError("--advance needs the disks' radii: --disk X,Y,VX,VY,MASS,RADIUS");
+  if (length(meeting.r()) <= meeting.sigma()) return;  // they are in contact where they stand
   const predict::Flight a{meeting.first.position, meeting.first.velocity, 0};
   const predict::Flight b{meeting.second.position, meeting.second.velocity, 0};
-  const double time = predict::contact_of_disks(a, b, {}, *meeting.first.radius + *meeting.second.radius);
+  const double time = predict::contact_of_disks(a, b, {}, meeting.sigma());
   if (time == predict::kNever) throw Error("the disks do not meet: flying on as they do, they never touch");
   meeting.time = time;
   meeting.first.position = predict::position_at(a, time);
@@ -111,8 +116,12 @@ Meeting parse_meeting(const CollideOptions& options) {
     throw UsageError("give a radius to both disks or to neither");
   }
   require_computable(meeting);
-  if (options.advance) advance_to_contact(meeting);
-  if (!options.advance || meeting.r() == Vec2{}) require_contact(meeting);
+  require_line_of_centres(meeting);
+  if (options.advance) {
+    advance_to_contact(meeting);
+  } else {
+    require_contact(meeting);
+  }
   return meeting;
 }
 
@@ -271,14 +280,11 @@ void add_collide(CLI::App& app, Action& action) {
                     "first move the disks along their velocities to their first contact");
   command->add_flag("--explain", options->explain, "write out the derivation with these numbers, equation by equation");
   add_choice(*command, "--format", options->format, kFormats, "of --explain: text, markdown or latex");
-  command->add_option("--svg", options->svg, "draw the collision to this file (.svg, .png or .pdf)")->type_name("FILE");
+  add_path(*command, "--svg", options->svg, "FILE", "draw the collision to this file (.svg, .png or .pdf)");
   command->add_flag("--json", options->json, "print one JSON object");
-  command
-      ->add_option(
-          "--batch", options->batch,
-          "read rows x1,y1,vx1,vy1,m1,x2,y2,vx2,vy2,m2 from this CSV file (- for standard input) and print them "
-          "with the velocities after")
-      ->type_name("FILE");
+  add_path(*command, "--batch", options->batch, "FILE",
+           "read rows x1,y1,vx1,vy1,m1,x2,y2,vx2,vy2,m2 from this CSV file (- for standard input) and print them "
+           "with the velocities after");
   command->callback([options, &action] { action = [options] { return collide_command(*options); }; });
 }
 

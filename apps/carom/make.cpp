@@ -44,9 +44,8 @@ CLI::App* add_scene(CLI::App& make, const std::shared_ptr<MakeOptions>& options,
                     const std::string& description, const std::string& example, std::function<SceneFile()> scene,
                     Action& action) {
   CLI::App* command = add_command(make, name, description, example);
-  command->add_option("-o,--output", options->out, "the scene file to write (- for standard output)")
-      ->required()
-      ->type_name("FILE");
+  add_path(*command, "-o,--output", options->out, "FILE", "the scene file to write (- for standard output)")
+      ->required();
   command->callback([options, scene = std::move(scene), &action] {
     options->make = scene;
     action = [options] { return make_command(*options); };

@@ -89,4 +89,13 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, std::optional
   return add(command, name, target, description, "COUNT", parse_count);
 }
 
+CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target, const std::string& type,
+                      const std::string& description) {
+  const auto parse = [type](const std::string& option, const std::string& text) {
+    if (text.empty()) throw UsageError(fmt::format("{}: the name is empty", option));
+    return text;
+  };
+  return add(command, name, target, description, type.c_str(), parse);
+}
+
 }  // namespace carom::program

@@ -37,6 +37,10 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, std::uint64_t
 CLI::Option* add_count(CLI::App& command, const std::string& name, std::optional<std::uint64_t>& target,
                        const std::string& description);
 
+/// An option whose value is the name of a file or a directory: `type` says which in the help.
+CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target, const std::string& type,
+                      const std::string& description);
+
 /// An option whose value must be one of some names.
 template <typename Value>
 CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& target,

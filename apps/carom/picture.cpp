@@ -80,9 +80,8 @@ void add_draw(CLI::App& app, Action& action) {
   command->add_option("FILE", options->file, "a scene, or an extended XYZ file (its last frame, or see --time)")
       ->required()
       ->type_name("");
-  command->add_option("-o,--output", options->out, "the picture: a name ending in .svg, .png or .pdf")
-      ->required()
-      ->type_name("FILE");
+  add_path(*command, "-o,--output", options->out, "FILE", "the picture: a name ending in .svg, .png or .pdf")
+      ->required();
   add_number(*command, "--time", options->time,
              "simulate a scene to this time first; of a trajectory, draw the frame nearest to it");
   add_choice(*command, "--colour,--color", options->picture.colour, kColours, "by species or by speed");

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "carom/carom.hpp"
 #include "command.hpp"
@@ -49,6 +51,11 @@ void check_options(const RunOptions& options) {
   require_time("--every", options.every, false);
   require_time("--equilibrate", options.equilibrate, true);
   if (options.collisions && *options.collisions == 0) throw Error("--collisions 0: it must be greater than 0");
+  std::error_code not_there;
+  if (!options.log_collisions.empty() &&
+      std::filesystem::equivalent(options.log_collisions, options.scene, not_there)) {
+    throw UsageError("--log-collisions " + options.log_collisions + ": this is the scene, which would be lost");
+  }
   if (!options.out.empty()) return;
   if (options.every) throw UsageError("--every writes frames of the trajectory: it needs --out DIR");
   if (options.trajectory == TrajectoryFormat::xyz) throw UsageError("--trajectory xyz needs --out DIR");
@@ -134,12 +141,11 @@ void add_run(CLI::App& app, Action& action) {
              "measure the pressure from the first window after this time");
   add_choice(*command, "--solver", options->solver, kSolvers, "which solver: reference; all give the same bits");
   add_count(*command, "--seed", options->seed, "take the place of the seeds in the scene");
-  command->add_option("--out", options->out, "directory for report.json, scene.toml, final.xyz and the trajectory")
-      ->type_name("DIR");
+  add_path(*command, "--out", options->out, "DIR",
+           "directory for report.json, scene.toml, final.xyz and the trajectory");
   add_number(*command, "--every", options->every, "time between two frames of the trajectory");
   add_choice(*command, "--trajectory", options->trajectory, kTrajectories, "format of the trajectory: xyz or none");
-  command->add_option("--log-collisions", options->log_collisions, "write every collision to this CSV file")
-      ->type_name("FILE");
+  add_path(*command, "--log-collisions", options->log_collisions, "FILE", "write every collision to this CSV file");
   command->add_flag("--overwrite", options->overwrite, "replace the run that is in the directory");
   command->add_flag("--json", options->json, "print the report as one JSON object");
   command->add_flag("--quiet", options->quiet, "show no progress");

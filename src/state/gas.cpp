@@ -202,6 +202,7 @@ Placement place_on_lattice(const Box& box, std::size_t count, double radius, std
   const Obstacles around(box, obstacles, radius, count);
   // What can be placed of too many must be what a caller who asks for just that many gets.
   std::size_t asked = most_on_lattice(box, count, radius);
+  if (asked == 0) return {};
   Placement placement = place_around(box, asked, radius, around);
   while (placement.positions.size() < asked && !placement.positions.empty()) {
     asked = placement.positions.size();

@@ -101,6 +101,12 @@ class Contact(ProgramTest):
         self.refuse(["collide", *disks("-3,0,1,0,1,0.5", "0,1.5,0,0,1,0.5"), "--advance"], 1, "never touch")
         self.refuse(["collide", *disks("-3,0,-1,0,1,0.5", "0,0,0,0,1,0.5"), "--advance", "--json"], 1, "never touch")
 
+    def test_advance_leaves_disks_in_contact_where_they_stand(self):
+        for velocity, approaching in ((1, True), (-1, False)):
+            result = self.json_of("collide", *disks(f"0,0,{velocity},0,1,0.5", "0.9,0,0,0,1,0.5"), "--advance")
+            self.assertEqual((result["time_of_contact"], result["position1"]), (0, [0, 0]))
+            self.assertIs(result["approaching"], approaching)
+
     def test_advance_needs_radii(self):
         self.refuse(["collide", *disks("-3,0,1,0", "0,0,0,0"), "--advance"], 2, "radii")
 

@@ -139,6 +139,16 @@ TEST(Lattice, GoesAroundObstacles) {
   EXPECT_LT(placed, 290);
 }
 
+TEST(Lattice, AroundObstaclesRefusesBoxesThatHoldNoDisk) {
+  const std::vector<Obstacle> obstacles{{{5, 0.4}, 0.25}};
+  EXPECT_TRUE(place_on_lattice({.size = {10, 0.9}, .boundary = kReflecting}, 3, 0.5, obstacles).positions.empty());
+}
+
+TEST(Lattice, UnderAnObstacleThatCoversTheBoxPlacesNone) {
+  const std::vector<Obstacle> all{{{5, 5}, 7.2}};
+  EXPECT_TRUE(place_on_lattice({.size = {10, 10}, .boundary = kOpen}, 3, 0.5, all).positions.empty());
+}
+
 // --- random start -------------------------------------------------------------------------------------------------
 
 TEST(RandomStart, IsFreeAndInside) {
