@@ -50,11 +50,7 @@ void print(std::string_view text);
 /// Writes the line "carom: MESSAGE" to stderr. Where that fails there is nobody left to tell.
 void tell(const std::string& message);
 
-/// Throws Error at once where this machine's memory cannot hold so many disks.
-void require_memory_for(double disks, const Place& place = {});
-
-/// realize(), but throws Error at once for a scene that this machine's memory cannot hold, and every problem names the
-/// scene's file.
+/// realize(), but every problem names the scene's file.
 Setup realize_here(const Scene& scene);
 
 /// The words the program was called with, as one line.

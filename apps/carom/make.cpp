@@ -102,11 +102,7 @@ void add_make(CLI::App& app, Action& action) {
   const auto cradle_disks = std::make_shared<std::uint64_t>(5);
   CLI::App* cradle = add_scene(
       *make, options, "cradle", "Newton's cradle between two walls", "carom make cradle --disks 5 -o cradle.toml",
-      [cradle_disks] {
-        require_memory_for(static_cast<double>(*cradle_disks));
-        return make_cradle(*cradle_disks);
-      },
-      action);
+      [cradle_disks] { return make_cradle(*cradle_disks); }, action);
   add_count(*cradle, "--disks", *cradle_disks, "number of disks, the incoming one included (5)");
   add_scene(*make, options, "break", "The break on a pool table", "carom make break -o break.toml", make_break, action);
   const auto digits = std::make_shared<std::uint64_t>(4);

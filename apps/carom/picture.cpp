@@ -45,7 +45,7 @@ Setup frame_of(const std::string& path, const std::optional<double>& time) {
 
 /// A scene, simulated to `time` first if one is given.
 Setup scene_at(const Scene& scene, const std::optional<double>& time) {
-  Setup setup = realize(scene);
+  Setup setup = realize_here(scene);
   if (!time) return setup;
   Simulation simulation(std::move(setup));
   simulation.stop_when(catch_interrupts());

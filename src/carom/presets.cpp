@@ -87,6 +87,8 @@ SceneFile make_two_disks() {
 
 SceneFile make_cradle(std::uint64_t disks) {
   if (disks < 2) throw Error(fmt::format("a cradle of {} disks does not swing: give at least 2", disks));
+  if (static_cast<double>(disks) > most_disks())
+    throw Error(fmt::format("a cradle of {} disks is more than this machine's memory holds", disks));
   const double row = static_cast<double>(disks - 1);
   SceneFile file;
   file.scene.title = fmt::format("Newton's cradle of {} disks between two walls", disks);

@@ -179,7 +179,8 @@ Placement place_in_empty_box(const Box& box, std::size_t count, double radius) {
 /// Obstacles take sites away: lattices with more and more sites are tried until enough of them are clear.
 Placement place_around(const Box& box, std::size_t count, double radius, const Obstacles& obstacles) {
   Placement best;
-  for (std::size_t sites = count; sites <= 8 * count + 64;) {
+  const std::size_t most_sites = most_on_lattice(box, 8 * count + 64, radius);
+  for (std::size_t sites = count; sites <= most_sites;) {
     double share = 0;                        // of sites that are clear
     std::size_t tries = 4 + 20'000 / sites;  // the loosest few are enough where there are many sites
     for (const Lattice& lattice : candidate_lattices(box, sites, radius)) {
@@ -189,8 +190,9 @@ Placement place_around(const Box& box, std::size_t count, double radius, const O
       if (clear.size() > best.positions.size()) best = {spread(lattice, clear, clear.size()), 0};
       share = std::max(share, static_cast<double>(clear.size()) / static_cast<double>(lattice.sites()));
     }
-    const double likely = share > 0 ? 0.95 * static_cast<double>(count) / share : 0;
-    sites = std::max(sites + 1 + sites / 64, static_cast<std::size_t>(std::min(likely, 1e18)));
+    if (sites == most_sites) break;
+    const auto likely = static_cast<std::size_t>(share > 0 ? 0.95 * static_cast<double>(count) / share : 0);
+    sites = std::min(std::max(sites + 1 + sites / 64, likely), most_sites);
   }
   return best;
 }

@@ -1,6 +1,7 @@
 #include "carom/state/scene.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,8 @@ namespace {
 
 constexpr std::uint32_t kShuffle = 3;   // purpose of the random stream that mixes several gases on one lattice
 constexpr std::uint32_t kMixSeeds = 4;  // purpose of the random stream that makes one seed of several
-constexpr double kMostDisks = 4e9;      // ids are 32 bits wide
+constexpr double kMostIds = 4e9;        // ids are 32 bits wide
+constexpr double kBytesPerDisk = 250;   // of a simulation with its first frame, rounded up
 
 /// Realizes one scene step by step, collecting problems; each step runs only if what it needs is sound.
 class Realization {
@@ -59,13 +61,19 @@ class Realization {
       }
       if (gas.packing_fraction) check("packing_fraction", *gas.packing_fraction);
       if (gas.count && *gas.count == 0) complain(gas.place, "count of this gas is 0: give at least 1 disk");
-      if (gas.count && static_cast<double>(*gas.count) > kMostDisks)
-        complain(gas.place, "count of this gas is too large");
+      if (gas.count) refuse_too_many(gas, static_cast<double>(*gas.count));
       if (!gas.count && !gas.packing_fraction)
         complain(gas.place, "this gas needs a count, or a packing_fraction in a box with a size");
       if (!gas.count && !scene_.size)
         complain(gas.place, "this gas needs a count: its packing_fraction sets the box, which has no size");
     }
+  }
+
+  void refuse_too_many(const GasSpec& gas, double disks) {
+    const double most = most_disks();
+    if (disks > most)
+      complain(gas.place,
+               fmt::format("{:.10g} disks are too many: this machine's memory holds about {:.2g}", disks, most));
   }
 
   void choose_box() {
@@ -108,19 +116,22 @@ class Realization {
         if (!(count >= 1)) complain(gas.place, "a packing fraction this low leaves no disk in this box");
       }
       total += count;
-      if (total > kMostDisks) return complain(gas.place, fmt::format("{:.3g} disks are too many", total));
+      refuse_too_many(gas, total);
+      if (!problems_.empty()) return;
       gas_count_.push_back(static_cast<std::size_t>(count));
     }
     refuse_impossible_packing(area);
   }
 
-  /// Refuses before a single disk is made what no arrangement can hold.
+  /// Refuses before a single disk is made what no arrangement can hold. Of few disks place_gas() can tell more.
   void refuse_impossible_packing(double area) {
+    constexpr std::size_t kFew = 100'000;
     const double fraction = gas_area() / area;
-    if (!(fraction > 1)) return;
-    complain(scene_.gas.front().place,
-             fmt::format("a packing fraction of {:.6g} cannot be placed: the disks' area is larger than the box's",
-                         fraction));
+    if (!(fraction > 1) || std::accumulate(gas_count_.begin(), gas_count_.end(), std::size_t{0}) <= kFew) return;
+    complain(
+        scene_.gas.front().place,
+        fmt::format("a packing fraction of {:.6g} cannot be placed: even the densest lattice of equal disks has {:.4f}",
+                    fraction, kPi / std::sqrt(12.0)));
   }
 
   [[nodiscard]] double gas_area() const {
@@ -265,6 +276,11 @@ class Realization {
 };
 
 }  // namespace
+
+double most_disks() noexcept {
+  const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return std::min(kMostIds, memory / kBytesPerDisk);
+}
 
 Setup realize(const Scene& scene) {
   Realization realization(scene);

@@ -67,13 +67,11 @@ class End(RunTest):
         gas = self.gas()
         report = self.json_of("run", gas, "--collisions", 1000)
         self.assertGreaterEqual(report["collisions"], 1000)
-        # One window earlier there were fewer; a window's length is a power of two, so half of the last one is earlier.
-        length = report["time"] / 2 ** 20
-        while (report["time"] - length) / length != int((report["time"] - length) / length):
-            length *= 2
-        before = self.json_of("run", gas, "--until", report["time"] * (1 - 1e-9))
-        self.assertEqual(before["windows"], report["windows"])
+        # It is a window's end: going on from there, however little, is another window.
+        beyond = self.json_of("run", gas, "--until", report["time"] * (1 + 1e-9))
+        self.assertEqual(beyond["windows"], report["windows"] + 1)
         self.assertEqual(self.json_of("run", gas, "--until", report["time"])["digest"], report["digest"])
+        # And the first one with so many.
         fewer = self.json_of("run", gas, "--collisions", report["collisions"])
         self.assertEqual(fewer["digest"], report["digest"])
         more = self.json_of("run", gas, "--collisions", report["collisions"] + 1)

@@ -12,7 +12,7 @@ namespace {
 /// The outcome without the correction that this test is about.
 Velocities uncorrected(const Contact& contact) {
   const double b = approach(contact.r, contact.v);
-  return detail::with_impulse(contact, (1 + contact.restitution) * b / dot(contact.r, contact.r));
+  return detail::with_impulse(contact, detail::change_of_relative_velocity(contact.r, b, contact.restitution));
 }
 
 /// Number of contacts whose plain outcome approaches again. Asserts that none does after collide().

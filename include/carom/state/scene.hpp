@@ -63,6 +63,9 @@ struct Setup {
   Frame frame;  ///< at time 0
 };
 
+/// The most disks that a scene may have: as many as this machine's memory holds, and no more than ids there are.
+double most_disks() noexcept;
+
 /// Makes all choices and checks the result. Throws Error with every problem found, each with its place.
 Setup realize(const Scene& scene);
 
