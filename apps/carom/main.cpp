@@ -31,8 +31,11 @@ int fail_usage(const CLI::App& app, const std::string& message) {
 
 /// What CLI11 has to say about a command line, in plainer words where a newcomer is likely to need them.
 std::string describe(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> rest = app.remaining(true);
+  for (const std::string& word : rest) {
+    if (word.starts_with('-')) return fmt::format("there is no option '{}'", word);
+  }
   if (!app.get_subcommands().empty()) return error.what();
-  const std::vector<std::string> rest = app.remaining();
   return rest.empty() ? "which command?" : fmt::format("there is no command '{}'", rest.front());
 }
 

@@ -62,7 +62,7 @@ std::vector<double> parse_numbers(std::string_view option, const std::string& te
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
-    const std::optional<double> value = number_in(word);
+    const std::optional<double> value = number_in(CLI::detail::trim_copy(word));
     if (!value) throw UsageError(fmt::format("{} {}: '{}' is not a finite number", option, text, word));
     numbers.push_back(*value);
     begin = end + 1;

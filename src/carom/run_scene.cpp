@@ -1,5 +1,7 @@
 #include "carom/carom/run_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <chrono>
@@ -64,6 +66,9 @@ class SceneRun {
         simulation_(prepare(std::move(setup)), plan.solver) {
     if (!plan.settings.until && !plan.settings.collisions)
       throw Error("a run needs an end: a time or a number of collisions");
+    if (plan.settings.until && *plan.settings.until > kLatestTime) {
+      throw Error(fmt::format("until is {}: no run goes beyond time {}", *plan.settings.until, kLatestTime));
+    }
     simulation_.measure_from(plan.settings.equilibrate);
     if (plan.interrupt != nullptr) simulation_.stop_when(*plan.interrupt);
     if (plan.collisions_file) simulation_.add_observer(log_.emplace(*plan.collisions_file));

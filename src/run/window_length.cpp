@@ -9,8 +9,8 @@ namespace {
 
 /// The fastest disk may fly through a periodic box this often in one window.
 constexpr double kMostCrossings = 8;
-constexpr double kLongest = 0x1p+200;
-constexpr double kShortest = 0x1p-200;
+constexpr double kLongest = 0x1p+250;
+constexpr double kShortest = 0x1p-250;
 
 double floor_to_power_of_two(double value) noexcept {
   int exponent = 0;

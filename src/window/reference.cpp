@@ -62,10 +62,14 @@ class ReferenceSolver final : public Solver {
     log_ = log;
     length_ = start.clock.length;
     load(start);
-    for (DiskId k = 0; k < size(); ++k) next_of_[k] = earliest_of(k);
+    predicted_ = 0;
   }
 
   bool advance_to(double time, const std::atomic<bool>& interrupt) override {
+    for (; predicted_ < size(); ++predicted_) {
+      if (interrupt.load(std::memory_order_relaxed)) return false;
+      next_of_[predicted_] = earliest_of(predicted_);
+    }
     for (Pending next = earliest(); next.time < time; next = earliest()) {
       if (interrupt.load(std::memory_order_relaxed)) return false;
       if (is_wall(next.j)) {
@@ -325,6 +329,7 @@ class ReferenceSolver final : public Solver {
   double length_ = 0;
   std::vector<Body> bodies_;
   std::vector<Pending> next_of_;
+  DiskId predicted_ = 0;  // disks below this one have had their first prediction
   Books* books_ = nullptr;
   std::vector<Collision>* log_ = nullptr;
 };

@@ -260,7 +260,10 @@ class Commands(BadInputTest):
 
     def test_what_is_no_command(self):
         self.refuse([], 2, "command")
-        self.refuse(["rum"], 2, "'rum'")
+        self.refuse(["rum"], 2, "no command 'rum'")
+        self.refuse(["--verison"], 2, "no option '--verison'")
+        self.refuse(["check", "--frob", "3", "scene.toml"], 2, "no option '--frob'", "carom check --help")
+        self.refuse(["make", "gas", "--disc", "3", "-o", "a"], 2, "--")
         self.refuse(["make"], 2, "--list")
         self.refuse(["make", "nothing"], 2, "nothing")
         self.refuse(["check"], 2, "SCENE")

@@ -82,6 +82,9 @@ class OneCollision(ProgramTest):
                    for order in itertools.permutations(groups) if order.index(groups[0]) < order.index(groups[1])}
         self.assertEqual(len(outputs), 1)
 
+    def test_blanks_beside_commas(self):
+        self.assertEqual(self.json_of("collide", *disks("0, 0, 1, 0", " 1,0 ,0,0"))["velocity2_after"], [1, 0])
+
     def test_signs_exponents_and_bare_points(self):
         result = self.json_of("collide", *disks("-1,-.5,0,0", "+1e0,5.E-1,-2,-1"))
         self.assertEqual(result["position1"], [-1, -0.5])

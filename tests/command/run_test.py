@@ -300,7 +300,7 @@ class Terminal(RunTest):
             with self.subTest(columns=columns):
                 shown, output = self.on_terminal(columns, "run", gas, "--collisions", 8000, "--json")
                 lines = [line.replace("\x1b[K", "") for line in shown.split("\r")]
-                self.assertGreater(len([line for line in lines if line]), 1, "no bar")
+                self.assertTrue(any(lines), "no bar")
                 self.assertLess(max(map(len, lines)), columns)
                 self.assertNotIn("\n", shown)
                 self.assertTrue(shown.endswith("\r\x1b[K"))
@@ -349,6 +349,14 @@ class Interrupts(RunTest):
                 # What is kept is the true state at that time.
                 again = self.json_of("run", gas, "--until", report["time"])
                 self.assertEqual(again["digest"], report["digest"])
+
+    def test_frames_closer_than_events_can_be_interrupted(self):
+        self.write("scene.toml", TWO_DISKS)
+        child = self.start("scene.toml", "--until", 1, "--out", "o", "--every", "1e-300")
+        self.wait_for("o/trajectory.xyz")
+        child.send_signal(signal.SIGINT)
+        child.communicate(timeout=20)
+        self.assertEqual(child.returncode, 130)
 
     def test_the_second_signal_ends_at_once(self):
         # Opening a window of this many disks takes the reference solver long; the flag is looked at between events.

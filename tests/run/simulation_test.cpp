@@ -98,6 +98,7 @@ TEST(Simulation, RefusesThePast) {
   EXPECT_THROW(simulation.run_until(2), Error);
   EXPECT_THROW(simulation.run_until(std::nan("")), Error);
   EXPECT_THROW(simulation.run_until(INFINITY), Error);
+  EXPECT_THROW(simulation.run_until(1.1 * kLatestTime), Error);
   EXPECT_EQ(simulation.time(), 3);
 }
 
@@ -117,6 +118,14 @@ TEST(Simulation, OneDiskAndRestingDisksRun) {
   resting.run_until(1e6);
   EXPECT_EQ(resting.frame().position(1), (Vec2{5, 5}));
   EXPECT_TRUE(collisions_are_over(resting.system(), resting.frame()));
+}
+
+TEST(Simulation, ReachesTheLatestTimeInFewWindows) {
+  Simulation simulation(
+      realize(box_of({9, 9}, Boundary::open, Boundary::open, {disk({2, 2}, {1, 0}), disk({5, 2}, {-1, 0})})));
+  simulation.run_until(kLatestTime);
+  EXPECT_EQ(simulation.books().collisions, 1U);
+  EXPECT_LT(simulation.windows(), 1000U);
 }
 
 TEST(Summary, MeasuresFromEquilibrationOn) {

@@ -24,6 +24,9 @@ struct WindowRecord {
   std::span<const Collision> collisions;  ///< in log order; times since before.clock.start
 };
 
+/// No run goes beyond this time: flights would leave the range of doubles.
+inline constexpr double kLatestTime = 1e75;
+
 /// Sees the trajectory and changes nothing.
 class Observer {
  public:
@@ -51,7 +54,8 @@ class Simulation {
   enum class Stop { reached, interrupted };
 
   /// Goes on to `until` (time). What comes later does not depend on how often or where a run was stopped.
-  /// Interrupted, it returns to the start of the window it was in. Throws Error if `until` lies in the past.
+  /// Interrupted, it returns to the start of the window it was in. Throws Error if `until` lies in the past
+  /// or beyond kLatestTime.
   Stop run_until(double until);
 
   /// Finishes the window that time() lies in, or the next one if time() is a window's start.
