@@ -96,9 +96,8 @@ void add_make(CLI::App& app, Action& action) {
   });
 
   add_gas(*make, options, action);
-  add_scene(*make, options, "two-disks", "Two equal disks, one at rest, meeting at an angle",
-            "carom make two-disks -o two-disks.toml", make_two_disks, action)
-      ->alias("two-disk");
+  add_scene(*make, options, "two-disk", "Two equal disks, one at rest, meeting at an angle",
+            "carom make two-disk -o two-disk.toml", make_two_disks, action);
   const auto cradle_disks = std::make_shared<std::uint64_t>(5);
   CLI::App* cradle = add_scene(
       *make, options, "cradle", "Newton's cradle between two walls", "carom make cradle --disks 5 -o cradle.toml",

@@ -12,7 +12,7 @@ from program import SCENES, TWO_DISKS, ProgramTest, main
 
 MAKERS = {
     "gas": ["--disks", "60", "--packing", "0.5"],
-    "two-disks": [],
+    "two-disk": [],
     "cradle": [],
     "break": [],
     "galperin": ["--digits", "2"],

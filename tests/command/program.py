@@ -49,7 +49,7 @@ class ProgramTest(unittest.TestCase):
         """The finished process; its output as text."""
         return subprocess.run(
             [CAROM, *map(str, words)], input=stdin, text=True, capture_output=True, cwd=self.directory,
-            timeout=300, check=False, **options)
+            timeout=100, check=False, **options)
 
     def succeed(self, *words, **options):
         done = self.carom(*words, **options)

@@ -49,7 +49,7 @@ class Report(RunTest):
         self.assertAlmostEqual(report["packing_fraction"], 0.6, delta=1e-12)
 
     def test_text_for_people(self):
-        text = self.succeed("run", SCENES / "two-disks.toml").stdout
+        text = self.succeed("run", SCENES / "two-disk.toml").stdout
         self.assertIn("disk collisions   1\n", text)
         self.assertIn("digest", text)
 
@@ -141,7 +141,7 @@ class Options(RunTest):
         self.assertNotEqual(digests[0], digests[1])
         self.assertEqual(digests[1], digests[2])
         self.assertEqual(digests[0], self.json_of("run", gas, "--until", 0.5)["digest"])
-        self.refuse(["run", SCENES / "two-disks.toml", "--seed", 2], 2, "--seed", "random")
+        self.refuse(["run", SCENES / "two-disk.toml", "--seed", 2], 2, "--seed", "random")
 
     def test_outputs_never_change_the_trajectory(self):
         gas = self.gas()
