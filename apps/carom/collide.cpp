@@ -76,6 +76,10 @@ void require_computable(const Meeting& meeting) {
       if (std::abs(value) > kLargest)
         throw Error(fmt::format("{} is too large to compute with (over {})", value, kLargest));
     }
+    if (disk->radius && !(*disk->radius <= kLargest && *disk->radius >= 1 / kLargest)) {
+      throw Error(
+          fmt::format("{} is no radius to compute with (under {} or over {})", *disk->radius, 1 / kLargest, kLargest));
+    }
     if (disk->mass < 1 / kLargest)
       throw Error(fmt::format("{} is too small a mass to compute with (under {})", disk->mass, 1 / kLargest));
   }
@@ -106,6 +110,13 @@ void advance_to_contact(Meeting& meeting) {
   meeting.second.position = predict::position_at(b, time);
 }
 
+/// Far from the origin rounding can be coarser than the disks.
+void require_exact_contact(const Meeting& meeting) {
+  const double error = std::abs(length(meeting.r()) - meeting.sigma());
+  if (meeting.time == 0 || error <= 1e-6 * meeting.sigma()) return;
+  throw Error("the disks are too small for their distances: where they meet is lost in rounding");
+}
+
 Meeting parse_meeting(const CollideOptions& options) {
   if (options.disks.size() != 2) {
     throw UsageError(
@@ -119,6 +130,7 @@ Meeting parse_meeting(const CollideOptions& options) {
   require_line_of_centres(meeting);
   if (options.advance) {
     advance_to_contact(meeting);
+    require_exact_contact(meeting);
   } else {
     require_contact(meeting);
   }

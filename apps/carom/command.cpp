@@ -16,7 +16,10 @@ std::string the_command_line;  // written once, by main
 
 std::string quoted_if_needed(const std::string& word) {
   const bool plain = !word.empty() && word.find_first_of(" \t\n'\"\\$`*?[]{}()<>|&;~#!") == std::string::npos;
-  return plain ? word : '\'' + word + '\'';
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
 }
 
 }  // namespace

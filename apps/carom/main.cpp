@@ -17,6 +17,12 @@ std::string version_line() {
   return fmt::format("carom {} (SIMD {}; {})", version(), make_reference_solver(System{})->simd(), compiler());
 }
 
+/// --version, for the program and each of its commands.
+void add_version_flag(CLI::App& app) {
+  app.set_version_flag("--version", version_line());
+  for (CLI::App* command : app.get_subcommands({})) add_version_flag(*command);
+}
+
 /// The command whose options were being read, as typed: "carom make gas".
 std::string chosen_command(const CLI::App& app) {
   std::string words = app.get_name();
@@ -56,6 +62,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_info(app, action);
   add_convert(app, action);
   add_draw(app, action);
+  add_version_flag(app);
 }
 
 int parse_and_act(CLI::App& app, const Action& action, int count, char** words) {
@@ -69,7 +76,6 @@ int parse_and_act(CLI::App& app, const Action& action, int count, char** words) 
 
 int run_program(int count, char** words) {
   CLI::App app("carom: exact, reproducible collisions of disks in two dimensions", "carom");
-  app.set_version_flag("--version", version_line());
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
   app.footer(

@@ -23,6 +23,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  [[nodiscard]] bool visible() const noexcept { return visible_; }
   void show(const Progress& progress);
   /// Takes the line away.
   void clear();

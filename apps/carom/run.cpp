@@ -52,6 +52,7 @@ void check_options(const RunOptions& options) {
   require_time("--equilibrate", options.equilibrate, true);
   if (options.collisions && *options.collisions == 0) throw Error("--collisions 0: it must be greater than 0");
   std::error_code not_there;
+  if (options.log_collisions == "-") throw UsageError("--log-collisions needs the name of a file");
   if (!options.log_collisions.empty() &&
       std::filesystem::equivalent(options.log_collisions, options.scene, not_there)) {
     throw UsageError("--log-collisions " + options.log_collisions + ": this is the scene, which would be lost");
@@ -75,8 +76,11 @@ RunSettings settled(RunSettings settings, const RunOptions& options) {
   if (options.every) settings.every = options.every;
   if (options.every) settings.trajectory = TrajectoryFormat::xyz;
   if (options.trajectory) settings.trajectory = *options.trajectory;
-  if (options.trajectory == TrajectoryFormat::xyz && !settings.every) {
-    throw UsageError("--trajectory xyz needs --every DT, the time between two frames");
+  if (!options.out.empty() && settings.trajectory == TrajectoryFormat::xyz && !settings.every) {
+    throw UsageError("a trajectory needs --every DT (or `every` in the scene), the time between two frames");
+  }
+  if (settings.until && *settings.until > kLatestTime) {
+    throw Error(fmt::format("until is {}: no run goes beyond time {}", *settings.until, kLatestTime));
   }
   return settings;
 }
@@ -90,7 +94,7 @@ void reseed(Scene& scene, std::uint64_t seed) {
 int conclude(const RunEnd& end, const RunOptions& options) {
   print(options.json ? report_json(end.record) : report_text(end.record));
   if (end.exhausted)
-    tell(fmt::format("no two disks can meet any more: the run ended at {} collisions", end.record.summary.collisions));
+    tell(fmt::format("no two disks meet any more: the run ended at {} collisions", end.record.summary.collisions));
   const std::vector<std::string> broken = violations(end.record.summary);
   for (const std::string& violation : broken) tell("DO NOT TRUST THIS RUN: " + violation);
   if (end.interrupted) {
@@ -116,9 +120,11 @@ int run_command(const RunOptions& options) {
   if (!options.log_collisions.empty()) plan.collisions_file = options.log_collisions;
 
   ProgressBar bar(!options.quiet);
-  plan.progress = [&bar](double done, const Simulation& simulation) {
-    bar.show({done, simulation.time(), simulation.books().collisions});
-  };
+  if (bar.visible()) {
+    plan.progress = [&bar](double done, const Simulation& simulation) {
+      bar.show({done, simulation.time(), simulation.books().collisions});
+    };
+  }
   plan.interrupt = &catch_interrupts();
   const RunEnd end = run_scene(std::move(setup), plan);
   bar.clear();

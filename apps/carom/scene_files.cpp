@@ -55,7 +55,8 @@ nlohmann::ordered_json as_json(const Info& info) {
   if (info.frames) json["frames"] = *info.frames;
   json["box"] = {system.box.size.x, system.box.size.y};
   json["boundary"] = boundary_of(system.box);
-  json["packing_fraction"] = packing_fraction(system);
+  const double eta = packing_fraction(system);
+  json["packing_fraction"] = eta > 0 ? nlohmann::ordered_json(eta) : nlohmann::ordered_json();
   for (const Species& kind : system.species) {
     nlohmann::ordered_json entry;
     entry["radius"] = kind.radius;

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
 #include <limits>
+#include <memory>
 
 #include "carom/base/error.hpp"
 #include "carom/carom/version.hpp"
@@ -36,50 +39,74 @@ class CollisionLog final : public Observer {
   CollisionsCsv csv_;
 };
 
-/// Frames at times 0, dt, 2 dt, …
+/// Frames at times 0, dt, 2 dt, … Those of a window that is abandoned are taken back.
 class Trajectory {
  public:
-  Trajectory(const std::string& path, double every) : stream_(path), every_(every) {}
+  Trajectory(const std::string& path, double every, std::optional<double> until)
+      : stream_(path), every_(every), until_(until) {}
 
-  [[nodiscard]] double next_time() const noexcept { return static_cast<double>(frames_) * every_; }
+  /// A frame that is due at the end but for rounding is due at the end.
+  [[nodiscard]] double next_time() const noexcept {
+    const double time = static_cast<double>(frames_) * every_;
+    return until_ && std::abs(time - *until_) <= 1e-9 * every_ ? *until_ : time;
+  }
 
   void write_if_due(const Simulation& simulation) {
     if (simulation.time() != next_time()) return;
-    stream_.write(xyz_frame(simulation.system(), simulation.frame()));
+    const std::string frame = xyz_frame(simulation.system(), simulation.frame());
+    stream_.write(frame);
     stream_.flush();
+    bytes_ += frame.size();
     ++frames_;
   }
 
-  void finish() { stream_.close(); }
+  /// What is written so far stays, whatever becomes of the next window.
+  void keep() noexcept { kept_bytes_ = bytes_; }
+
+  void finish(bool interrupted) {
+    stream_.close();
+    if (interrupted && kept_bytes_ < bytes_) std::filesystem::resize_file(stream_.path(), kept_bytes_);
+  }
 
  private:
   OutputStream stream_;
   double every_;
+  std::optional<double> until_;
   std::uint64_t frames_ = 0;
+  std::uintmax_t bytes_ = 0;
+  std::uintmax_t kept_bytes_ = 0;
 };
+
+const RunPlan& checked(const RunPlan& plan) {
+  const RunSettings& settings = plan.settings;
+  if (!settings.until && !settings.collisions) throw Error("a run needs an end: a time or a number of collisions");
+  if (settings.until && !(*settings.until <= kLatestTime)) {
+    throw Error(fmt::format("until is {}: no run goes beyond time {}", *settings.until, kLatestTime));
+  }
+  return plan;
+}
 
 class SceneRun {
  public:
   SceneRun(Setup setup, const RunPlan& plan)
-      : plan_(plan),
+      : plan_(checked(plan)),
         scene_digest_(digest(setup.system, setup.frame)),
+        log_(plan.collisions_file ? std::make_unique<CollisionLog>(*plan.collisions_file) : nullptr),
         simulation_(prepare(std::move(setup)), plan.solver) {
-    if (!plan.settings.until && !plan.settings.collisions)
-      throw Error("a run needs an end: a time or a number of collisions");
-    if (plan.settings.until && *plan.settings.until > kLatestTime) {
-      throw Error(fmt::format("until is {}: no run goes beyond time {}", *plan.settings.until, kLatestTime));
-    }
     simulation_.measure_from(plan.settings.equilibrate);
     if (plan.interrupt != nullptr) simulation_.stop_when(*plan.interrupt);
-    if (plan.collisions_file) simulation_.add_observer(log_.emplace(*plan.collisions_file));
+    if (log_) simulation_.add_observer(*log_);
     const RunSettings& settings = plan.settings;
     if (plan.directory && settings.every && settings.trajectory == TrajectoryFormat::xyz) {
-      trajectory_.emplace(plan.directory->trajectory(), *settings.every);
+      trajectory_.emplace(plan.directory->trajectory(), *settings.every, settings.until);
     }
   }
 
   RunEnd run() {
-    if (trajectory_) trajectory_->write_if_due(simulation_);
+    if (trajectory_) {
+      trajectory_->write_if_due(simulation_);
+      trajectory_->keep();
+    }
     while (!interrupted_ && !exhausted_ && !finished()) {
       step();
       if (plan_.progress) plan_.progress(share_done(), simulation_);
@@ -111,8 +138,11 @@ class SceneRun {
     if (plan_.settings.until) target = std::min(target, *plan_.settings.until);
     if (trajectory_) target = std::min(target, trajectory_->next_time());
     if (plan_.progress) target = std::min(target, simulation_.time() + clock.length / kProgressPerWindow);
+    if (!(target > simulation_.time())) target = window_end;  // steps too short to be told apart
     if (target < window_end) {
-      interrupted_ = simulation_.run_until(std::max(target, simulation_.time())) == Simulation::Stop::interrupted;
+      interrupted_ = simulation_.run_until(target) == Simulation::Stop::interrupted;
+    } else if (window_end > kLatestTime && !plan_.settings.until) {
+      exhausted_ = true;
     } else {
       run_window();
     }
@@ -120,6 +150,8 @@ class SceneRun {
 
   void run_window() {
     interrupted_ = simulation_.run_window() == Simulation::Stop::interrupted;
+    if (interrupted_) return;
+    if (trajectory_) trajectory_->keep();
     const bool quiet = simulation_.books().collisions == collisions_before_;
     collisions_before_ = simulation_.books().collisions;
     quiet_windows_ = quiet ? quiet_windows_ + 1 : 0;
@@ -150,7 +182,7 @@ class SceneRun {
     end.record.compiler = compiler();
     end.record.command = plan_.command;
     if (log_) log_->finish(simulation_);
-    if (trajectory_) trajectory_->finish();
+    if (trajectory_) trajectory_->finish(interrupted_);
     if (plan_.directory) {
       write_file(plan_.directory->final_frame(), xyz_frame(simulation_.system(), simulation_.frame()));
       write_file(plan_.directory->report(), report_json(end.record));
@@ -160,8 +192,8 @@ class SceneRun {
 
   const RunPlan& plan_;
   std::string scene_digest_;
+  std::unique_ptr<CollisionLog> log_;  // opened before scene.toml is written, so that a bad name leaves nothing behind
   Simulation simulation_;
-  std::optional<CollisionLog> log_;
   std::optional<Trajectory> trajectory_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::uint64_t collisions_before_ = 0;

@@ -48,6 +48,8 @@ Simulation::Stop Simulation::run_until(double until) {
 }
 
 Simulation::Stop Simulation::run_window() {
+  const double end = state_.clock.start + state_.clock.length;
+  if (end > kLatestTime) throw Error(fmt::format("cannot run to time {}: times end at {}", end, kLatestTime));
   if (advance_to(state_.clock.length) == Stop::interrupted) return Stop::interrupted;
   close_window();
   return Stop::reached;
@@ -65,6 +67,7 @@ Frame Simulation::frame() const {
 }
 
 std::vector<Collision> Simulation::collisions_in_flight() const {
+  if (!open_) return {};
   std::vector<Collision> sorted = log_;
   std::sort(sorted.begin(), sorted.end(), stands_before);
   return sorted;
@@ -77,13 +80,14 @@ void Simulation::open_window() {
     std::fill(books_.wall_impulse_of.begin(), books_.wall_impulse_of.end(), 0.0);
   }
   books_at_start_ = books_;
-  solver_->open(state_, books_, observers_.empty() ? nullptr : &log_);
+  watching_ = observers_.size();
+  log_.clear();
+  solver_->open(state_, books_, watching_ > 0 ? &log_ : nullptr);
   open_ = true;
 }
 
 void Simulation::abandon_window() {
   books_ = books_at_start_;
-  log_.clear();
   offset_ = 0;
   open_ = false;
 }
@@ -110,12 +114,11 @@ void Simulation::close_window() {
     measured_.kT_integral += kT * state_.clock.length;
   }
   std::sort(log_.begin(), log_.end(), stands_before);
-  for (Observer* observer : observers_) observer->on_window({system_, state_, next_, log_});
-
-  log_.clear();
   std::swap(state_, next_);
   offset_ = 0;
   open_ = false;
+  const State& before = next_;
+  for (std::size_t k = 0; k < watching_; ++k) observers_[k]->on_window({system_, before, state_, log_});
 }
 
 }  // namespace carom

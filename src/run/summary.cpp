@@ -57,8 +57,8 @@ std::optional<double> pressure(const Simulation& simulation, const Frame& frame)
   const double kT = mean_temperature(simulation, frame);
   if (!(kT > 0)) return std::nullopt;
   if (box.periodic(0) && box.periodic(1)) return virial_pressure(simulation, duration, kT);
-  const bool walls_have_length = (!box.reflecting(0) || box.size.y > 0) && (!box.reflecting(1) || box.size.x > 0);
-  if (box.has_walls() && walls_have_length) return wall_pressure(simulation, duration, kT);
+  const bool walls_end = box.boundary[0] != Boundary::open && box.boundary[1] != Boundary::open;
+  if (box.has_walls() && walls_end) return wall_pressure(simulation, duration, kT);
   return std::nullopt;
 }
 

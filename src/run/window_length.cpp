@@ -10,7 +10,7 @@ namespace {
 /// The fastest disk may fly through a periodic box this often in one window.
 constexpr double kMostCrossings = 8;
 constexpr double kLongest = 0x1p+250;
-constexpr double kShortest = 0x1p-250;
+constexpr double kShortest = 0x1p-510;  // less than the highest speed takes across the smallest disk
 
 double floor_to_power_of_two(double value) noexcept {
   int exponent = 0;

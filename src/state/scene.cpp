@@ -309,6 +309,9 @@ double default_t_c(const System& system, const Frame& frame) noexcept {
 State initial_state(const Setup& setup) {
   State state;
   state.disks = setup.frame;
+  state.disks.time = 0;
+  std::fill(state.disks.winding_x.begin(), state.disks.winding_x.end(), 0);
+  std::fill(state.disks.winding_y.begin(), state.disks.winding_y.end(), 0);
   const Box& box = setup.system.box;
   for (std::size_t k = 0; k < state.disks.size(); ++k) {
     if (box.periodic(0)) state.disks.x[k] = wrap(state.disks.x[k], box.size.x).coordinate;

@@ -193,10 +193,21 @@ void check_overlaps(const System& system, const Frame& frame, const std::vector<
   }
 }
 
+bool have_one_size(const System& system, const Frame& frame) {
+  const std::size_t count = system.size();
+  const bool same = frame.x.size() == count && frame.y.size() == count && frame.vx.size() == count &&
+                    frame.vy.size() == count && frame.winding_x.size() == count && frame.winding_y.size() == count;
+  return same && std::all_of(system.species_of.begin(), system.species_of.end(),
+                             [&](std::uint32_t kind) { return kind < system.species.size(); });
+}
+
 }  // namespace
 
 std::vector<Finding> validate(const System& system, const Frame& frame) {
   std::vector<Finding> findings;
+  if (!have_one_size(system, frame)) {
+    return {{"the arrays of the system and of the frame do not have one entry for each disk", {}}};
+  }
   if (system.size() == 0) findings.push_back({"there are no disks: give [[disk]] or [[gas]] sections", {}});
   check_box(system.box, findings);
   check_physics(system.physics, findings);

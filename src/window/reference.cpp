@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "carom/base/error.hpp"
 #include "carom/predict/contact.hpp"
 #include "carom/rule/collision.hpp"
 #include "carom/window/solver.hpp"
@@ -42,11 +43,16 @@ struct ImageRange {
   std::int32_t last = 0;
 };
 
-ImageRange images_in_reach(double distance, double velocity, double duration, double sigma, double period) noexcept {
+/// Throws Error if the copies are more than can be numbered.
+ImageRange images_in_reach(double distance, double velocity, double duration, double sigma, double period) {
   const double end = distance + velocity * duration;
   constexpr double kSlack = 1e-6;  // more than rounding can move a copy, in periods
   const double first = std::ceil((-sigma - std::max(distance, end)) / period - kSlack);
   const double last = std::floor((sigma - std::min(distance, end)) / period + kSlack);
+  constexpr double kFarthest = 0x1p30;
+  if (!(first >= -kFarthest && last <= kFarthest)) {
+    throw Error("a disk is so fast that it would cross the periodic box a thousand million times in one window");
+  }
   return {static_cast<std::int32_t>(first), static_cast<std::int32_t>(last)};
 }
 
@@ -135,7 +141,7 @@ class ReferenceSolver final : public Solver {
   }
 
   /// The earliest event of disk k with anything before the window's end.
-  [[nodiscard]] Pending earliest_of(DiskId k) const noexcept {
+  [[nodiscard]] Pending earliest_of(DiskId k) const {
     Pending best;
     for (DiskId other = 0; other < size(); ++other) {
       if (other != k) consider_disks(std::min(k, other), std::max(k, other), best);
@@ -148,7 +154,7 @@ class ReferenceSolver final : public Solver {
     if (candidate.time < length_ && comes_before(candidate, best)) best = candidate;
   }
 
-  void consider_disks(DiskId i, DiskId j, Pending& best) const noexcept {
+  void consider_disks(DiskId i, DiskId j, Pending& best) const {
     const predict::Flight& a = bodies_[i].flight;
     const predict::Flight& b = bodies_[j].flight;
     const double sigma = contact_distance(i, j);
@@ -181,7 +187,7 @@ class ReferenceSolver final : public Solver {
   }
 
   /// After an event: new predictions for its disks, and for every disk whose earliest event was with one of them.
-  void predict_again(const Pending& done) noexcept {
+  void predict_again(const Pending& done) {
     for (DiskId k = 0; k < size(); ++k) {
       const Pending& next = next_of_[k];
       if (k != done.i && k != done.j && next.time == predict::kNever) continue;
@@ -250,14 +256,14 @@ class ReferenceSolver final : public Solver {
     b.flight.velocity = after.second;
 
     const Vec2 impulse = rule::impulse_on_second(system_.mass(event.j), before, after);
-    const double virial = std::abs(dot(impulse, r));
+    const double sigma = contact_distance(event.i, event.j);
+    const double virial = length(impulse) * sigma;
     books_->virial_of[event.i] += 0.5 * virial;
     books_->virial_of[event.j] += 0.5 * virial;
     ++books_->collisions;
     books_->ties += generation > 0;
     book_event(a, event.i, time, generation);
     book_event(b, event.j, time, generation);
-    const double sigma = contact_distance(event.i, event.j);
     const double distance = length(r);
     note_overlap((sigma - distance) / sigma);
     if (log_ == nullptr) return;
@@ -307,10 +313,12 @@ class ReferenceSolver final : public Solver {
 
   void note_overlap(double overlap) noexcept { books_->largest_overlap = std::max(books_->largest_overlap, overlap); }
 
-  /// No pair may overlap at a window's end: a missed collision would show here.
-  void note_overlaps(const Frame& frame) noexcept {
+  /// No pair may overlap at a window's end and no disk reach past a wall: a missed collision would show here.
+  void note_overlaps(const Frame& frame) {
     const Box& box = system_.box;
     for (DiskId i = 0; i < size(); ++i) {
+      if (box.reflecting(0)) note_wall_overlap(i, frame.x[i], box.size.x);
+      if (box.reflecting(1)) note_wall_overlap(i, frame.y[i], box.size.y);
       for (DiskId j = i + 1; j < size(); ++j) {
         const double sigma = contact_distance(i, j);
         const Vec2 r = frame.position(j) - frame.position(i);
@@ -323,6 +331,12 @@ class ReferenceSolver final : public Solver {
         }
       }
     }
+  }
+
+  void note_wall_overlap(DiskId k, double coordinate, double size) noexcept {
+    const double radius = system_.radius(k);
+    const double distance = std::min(coordinate - radius, (size - radius) - coordinate);
+    note_overlap(-distance / (2 * radius));
   }
 
   const System& system_;

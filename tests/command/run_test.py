@@ -233,6 +233,16 @@ class Files(RunTest):
         self.assertEqual([when for when, _ in frames], [0, 0.25, 0.5, 0.75, 1])
         self.assertEqual(frames[-1], self.frames("o/final.xyz")[0])
 
+    def test_the_last_frame_is_not_lost_to_rounding(self):
+        self.json_of("run", self.gas(), "--until", 0.3, "--out", "o", "--every", 0.1)  # 3 * 0.1 > 0.3
+        frames = self.frames("o/trajectory.xyz")
+        self.assertEqual([when for when, _ in frames], [0, 0.1, 0.2, 0.3])
+        self.assertEqual(frames[-1], self.frames("o/final.xyz")[0])
+
+    def test_a_bad_log_file_leaves_no_half_begun_run(self):
+        self.refuse(["run", self.gas(), "--until", 1, "--out", "o", "--log-collisions", "nowhere/log.csv"], 1, "nowhere")
+        self.json_of("run", self.gas(), "--until", 1, "--out", "o")
+
     def test_an_old_run_is_kept_unless_overwritten(self):
         gas = self.gas()
         self.json_of("run", gas, "--until", 1, "--out", "o", "--every", 0.5)
@@ -344,6 +354,7 @@ class Interrupts(RunTest):
                 report = json.loads(output)
                 self.assertEqual(json.loads(self.read(f"{out}/report.json")), report)
                 self.assertIn(f"Time={report['time']:g}", self.read(f"{out}/final.xyz").splitlines()[1])
+                self.assertLessEqual(self.frames(f"{out}/trajectory.xyz")[-1][0], report["time"])
                 self.assertIn("carom: interrupted", errors)
                 self.assertIn(out, errors)
                 # What is kept is the true state at that time.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "carom/base/error.hpp"
 #include "carom/run/exhaustion.hpp"
@@ -90,6 +91,49 @@ TEST(Simulation, AnInterruptedWindowIsAsIfNeverBegun) {
   Simulation straight(realize(gas(60, 0.6)));
   EXPECT_EQ(digest_at(simulation, 9), digest_at(straight, 9));
   EXPECT_EQ(simulation.books().events_of, straight.books().events_of);
+}
+
+static_assert(!std::is_copy_constructible_v<Simulation> && !std::is_move_constructible_v<Simulation>,
+              "its solver refers to its system and its books");
+
+TEST(Simulation, AnObserverAddedInTheMiddleStartsWithTheNextWindow) {
+  CountingObserver observer;
+  Simulation simulation(realize(gas(60, 0.6)));
+  simulation.run_until(0.9 * simulation.window_start().clock.length);
+  simulation.add_observer(observer);
+  simulation.run_window();
+  EXPECT_EQ(observer.windows, 0U);
+  const std::uint64_t before = simulation.books().events();
+  simulation.run_window();
+  EXPECT_EQ(observer.windows, 1U);
+  EXPECT_EQ(observer.collisions, simulation.books().events() - before);
+}
+
+TEST(Simulation, AFrameOfOneRunStartsAnotherAtTimeZero) {
+  Simulation first(realize(gas(20, 0.2)));
+  first.run_until(30);
+  const Simulation second(carom::Setup{first.system(), first.frame()});
+  const Frame frame = second.frame();
+  EXPECT_EQ(frame.time, 0);
+  EXPECT_EQ(frame.winding_x, std::vector<std::int64_t>(20, 0));
+  EXPECT_EQ(frame.winding_y, std::vector<std::int64_t>(20, 0));
+  EXPECT_EQ(frame.x, first.frame().x);
+}
+
+TEST(Simulation, RefusesArraysOfDifferentLengths) {
+  carom::Setup setup = realize(gas(4, 0.1));
+  setup.frame.vy.pop_back();
+  EXPECT_THROW(Simulation{setup}, Error);
+}
+
+TEST(Simulation, SeesTheFastestDiskInTheSmallestBox) {
+  // The shortest windows must be short enough for this, or images could not be numbered.
+  Simulation simulation(
+      realize(box_of({1e-10, 1e-10}, Boundary::periodic, Boundary::periodic,
+                     {disk({2e-11, 2e-11}, {1e75, 0.3e75}, 1e-11), disk({7e-11, 7e-11}, {0, 0}, 1e-11)})));
+  for (int k = 0; k < 20; ++k) simulation.run_window();
+  EXPECT_GT(simulation.books().collisions, 0U);
+  EXPECT_LT(simulation.books().largest_overlap, 1e-9);
 }
 
 TEST(Simulation, RefusesThePast) {

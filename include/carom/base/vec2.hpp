@@ -1,7 +1,13 @@
 // A vector of the plane: the one geometric type of carom.
 #pragma once
 
+#include <cfloat>
 #include <cmath>
+
+#ifdef __FAST_MATH__
+#error "carom gives the same bits everywhere only without -ffast-math"
+#endif
+static_assert(FLT_EVAL_METHOD == 0, "carom needs arithmetic that rounds every operation to double");
 
 namespace carom {
 

@@ -32,7 +32,7 @@ struct RunPlan {
 struct RunEnd {
   RunRecord record;
   bool interrupted = false;  ///< then the record is that of the start of the window that was abandoned
-  bool exhausted = false;    ///< no two disks can meet any more, so a number of collisions was not reached
+  bool exhausted = false;    ///< a number of collisions was not reached: no two disks meet any more
 };
 
 /// Runs `setup` as planned and writes what the plan names. Throws Error if the settings have neither `until` nor

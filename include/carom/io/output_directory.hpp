@@ -18,7 +18,6 @@ class OutputDirectory {
   [[nodiscard]] std::string scene() const { return in("scene.toml"); }
   [[nodiscard]] std::string final_frame() const { return in("final.xyz"); }
   [[nodiscard]] std::string trajectory() const { return in("trajectory.xyz"); }
-  [[nodiscard]] std::string collisions() const { return in("collisions.csv"); }
 
  private:
   [[nodiscard]] std::string in(std::string_view name) const;

@@ -35,12 +35,14 @@ constexpr Vec2 compose(Parts parts, Vec2 unit_normal) noexcept {
   return parts.normal * unit_normal + parts.tangential * unit_tangent(unit_normal);
 }
 
-/// The whole collision by parts: equations 5 and 6 along the normal with restitution e, the tangential
-/// parts as they were. Masses positive, at most one infinite.
+/// The parts of two velocities, of body 1 and body 2.
 struct CollidedParts {
   Parts first;
   Parts second;
 };
+
+/// The whole collision by parts: equations 5 and 6 along the normal with restitution e, the tangential
+/// parts as they were. Masses positive, at most one infinite.
 constexpr CollidedParts collide_parts(double m1, Parts v1, double m2, Parts v2, double restitution = 1) noexcept {
   const LineVelocities after = collide_on_line(m1, v1.normal, m2, v2.normal, restitution);
   return {{after.v1, v1.tangential}, {after.v2, v2.tangential}};

@@ -27,7 +27,8 @@ struct WindowRecord {
 /// No run goes beyond this time: flights would leave the range of doubles.
 inline constexpr double kLatestTime = 1e75;
 
-/// Sees the trajectory and changes nothing.
+/// Sees the trajectory and changes nothing. What an observer throws reaches the caller of the simulation, which by then
+/// stands at the window's end.
 class Observer {
  public:
   virtual ~Observer() = default;
@@ -44,7 +45,7 @@ struct Measured {
   double kT_integral = 0;  ///< ∫ kT dt from there to the start of the window in flight, by the trapezoidal rule
 };
 
-/// A system on its way through time. Not copyable; not for use by two threads at once.
+/// A system on its way through time. Neither copied nor moved; not for use by two threads at once.
 class Simulation {
  public:
   /// Starts at time 0. Throws Error if the setup cannot be simulated.
@@ -58,7 +59,11 @@ class Simulation {
   /// or beyond kLatestTime.
   Stop run_until(double until);
 
-  /// Finishes the window that time() lies in, or the next one if time() is a window's start.
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Finishes the window that time() lies in, or the next one if time() is a window's start. Throws Error if that
+  /// window ends beyond kLatestTime.
   Stop run_window();
 
   [[nodiscard]] const System& system() const noexcept { return system_; }
@@ -69,15 +74,16 @@ class Simulation {
   [[nodiscard]] Frame frame() const;
   /// Everything counted from time 0 to time(); sums of impulses from the start of measuring.
   [[nodiscard]] const Books& books() const noexcept { return books_; }
-  /// Events of the window in flight up to time(), in log order; empty unless collisions are recorded.
+  /// Events of the window in flight up to time(), in log order; empty unless there are observers.
   [[nodiscard]] std::vector<Collision> collisions_in_flight() const;
   /// Windows begun so far; one that ends just now counts, one that starts just now does not.
   [[nodiscard]] std::uint64_t windows() const noexcept { return state_.clock.window + (offset_ > 0 ? 1 : 0); }
 
-  /// Observers are called in the order added and must outlive the simulation.
+  /// Observers are called in the order added and must outlive the simulation. One added in the middle of a window
+  /// starts with the next.
   void add_observer(Observer& observer);
   /// Virial and wall impulses are summed from the first window that starts at or after `time`; from 0 by default.
-  /// To be called before that window begins.
+  /// Has no effect once measuring has begun.
   void measure_from(double time) noexcept { measure_from_ = time; }
   /// From when on impulses are summed.
   [[nodiscard]] const Measured& measured() const noexcept { return measured_; }
@@ -109,6 +115,7 @@ class Simulation {
   std::vector<Collision> log_;
   std::unique_ptr<Solver> solver_;
   std::vector<Observer*> observers_;
+  std::size_t watching_ = 0;  // observers of the window in flight: the first ones
   double measure_from_ = 0;
   Measured measured_;
   Initial initial_;

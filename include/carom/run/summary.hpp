@@ -36,9 +36,9 @@ struct Summary {
   bool elastic = true;
 
   std::optional<double> temperature;  ///< kT = 2E/f
-  std::optional<double>
-      pressure;        ///< βP (1/length²): virial in periodic boxes, mean wall pressure where there are walls
-  std::string digest;  ///< of the frame at `time`
+  std::optional<double> pressure;  ///< βP (1/length²): virial in periodic boxes, mean wall pressure where there are
+                                   ///< walls, absent where an axis is open
+  std::string digest;              ///< of the frame at `time`
 };
 
 /// Summary of everything up to simulation.time().

@@ -1,4 +1,5 @@
-// How long a window is. Chosen from system and state alone, never from end times, output, threads or solver.
+// How long a window is. Chosen from system, state and the contacts counted in the window before; never from end times,
+// output, threads or solver.
 #pragma once
 
 #include <cstdint>

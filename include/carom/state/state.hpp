@@ -41,7 +41,7 @@ struct State {
   Clock clock;
 };
 
-/// One coordinate folded into [0, L), and how many L were taken off.
+/// One coordinate folded into the box, and how many L were taken off.
 struct Wrapped {
   double coordinate = 0;
   std::int64_t turns = 0;

@@ -13,7 +13,8 @@ struct Books {
   std::uint64_t wall_collisions = 0;  ///< of a disk and a wall
   std::uint64_t ties = 0;             ///< events of a generation above 0: a disk's second, third … at one time
   std::uint64_t collapses = 0;        ///< contacts that the TC rule made elastic
-  double largest_overlap = 0;         ///< at any contact or window's end, in contact distances of the pair
+  double largest_overlap =
+      0;  ///< at any contact or window's end, in contact distances of the pair; of disk and wall in diameters
 
   // Arrays of N.
   std::vector<std::uint64_t> events_of;  ///< contacts of each disk, with disks and walls
