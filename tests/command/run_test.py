@@ -25,6 +25,18 @@ class RunTest(ProgramTest):
         self.succeed("make", "gas", "--disks", disks, "--packing", packing, *more, "-o", name)
         return name
 
+    def frames(self, name):
+        """The frames of an extended XYZ file as (time, rows)."""
+        lines = self.read(name).splitlines()
+        frames = []
+        while lines:
+            count = int(lines[0])
+            (start,) = [word for word in lines[1].split() if word.startswith("Time=")]
+            frames.append((float(start[5:]), [line.split() for line in lines[2:2 + count]]))
+            self.assertEqual(len(frames[-1][1]), count)
+            lines = lines[2 + count:]
+        return frames
+
 
 class Report(RunTest):
     def test_all_keys_are_there(self):
@@ -100,7 +112,7 @@ class End(RunTest):
             self.write("scene.toml", text)
             done = self.succeed("run", "scene.toml", "--collisions", 5, "--json")
             self.assertEqual(json.loads(done.stdout)["collisions"], 0)
-            self.assertIn("carom: no two disks can meet any more", done.stderr)
+            self.assertIn("carom: no two disks meet any more", done.stderr)
 
     def test_one_disk(self):
         self.write("scene.toml", '[box]\nsize = [4.0, 4.0]\nboundary = "reflecting"\n'
@@ -193,18 +205,6 @@ class Sources(RunTest):
 
 
 class Files(RunTest):
-    def frames(self, name):
-        """The frames of an extended XYZ file as (time, rows)."""
-        lines = self.read(name).splitlines()
-        frames = []
-        while lines:
-            count = int(lines[0])
-            (start,) = [word for word in lines[1].split() if word.startswith("Time=")]
-            frames.append((float(start[5:]), [line.split() for line in lines[2:2 + count]]))
-            self.assertEqual(len(frames[-1][1]), count)
-            lines = lines[2 + count:]
-        return frames
-
     def test_directory_holds_the_run(self):
         report = self.json_of("run", self.gas(), "--until", 1.5, "--out", "some/where")
         self.assertEqual(sorted(p.name for p in self.path("some/where").iterdir()),
