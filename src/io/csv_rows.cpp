@@ -38,7 +38,9 @@ std::string_view CsvRows::take_line() {
   std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
   if (end < text_.size()) end += text_.substr(end, 2) == "\r\n" ? 2 : 1;
   ++line_;
-  return text_.substr(std::exchange(at_, end), end - at_);
+  const std::string_view line = text_.substr(at_, end - at_);
+  at_ = end;
+  return line;
 }
 
 bool CsvRows::next(CsvRow& row) {
