@@ -1,6 +1,7 @@
 """Every command that the help texts, README.md and docs/*.md show works as shown: the program succeeds, prints what is
 printed there, and the C++ and scenes shown are real."""
 
+import os
 import re
 import shlex
 import shutil
@@ -35,7 +36,7 @@ class DocumentedTest(ProgramTest):
 
     def shell(self, line):
         return subprocess.run(["/bin/sh", "-c", line], cwd=self.directory, text=True, capture_output=True, timeout=300,
-                              env={"PATH": f"{self.path('bin')}:/usr/bin:/bin", "LC_ALL": "C.UTF-8"})
+                              env={**os.environ, "PATH": f"{self.path('bin')}:/usr/bin:/bin", "LC_ALL": "C.UTF-8"})
 
 
 class Help(DocumentedTest):
