@@ -14,7 +14,7 @@ namespace carom::program {
 namespace {
 
 std::string version_line() {
-  return fmt::format("carom {} (SIMD {}; {})", version(), make_reference_solver(System{})->simd(), compiler());
+  return fmt::format("carom {} (SIMD {}; {})", version(), name_of(fastest_simd()), compiler());
 }
 
 /// --version, for the program and each of its commands.
@@ -62,6 +62,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_info(app, action);
   add_convert(app, action);
   add_draw(app, action);
+  add_bench(app, action);
   add_version_flag(app);
 }
 

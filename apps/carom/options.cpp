@@ -98,4 +98,10 @@ CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& t
   return add(command, name, target, description, type.c_str(), parse);
 }
 
+CLI::Option* add_solver(CLI::App& command, SolverKind& target) {
+  static const std::map<std::string, SolverKind> solvers{{"fast", SolverKind::fast},
+                                                         {"reference", SolverKind::reference}};
+  return add_choice(command, "--solver", target, solvers, "which solver: fast or reference; both give the same bits");
+}
+
 }  // namespace carom::program

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "carom/window/solver.hpp"
+
 namespace carom::program {
 
 /// Throws the UsageError for a name that is none of `names`.
@@ -40,6 +42,9 @@ CLI::Option* add_count(CLI::App& command, const std::string& name, std::optional
 /// An option whose value is the name of a file or a directory: `type` says which in the help.
 CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& target, const std::string& type,
                       const std::string& description);
+
+/// The option --solver.
+CLI::Option* add_solver(CLI::App& command, SolverKind& target);
 
 /// An option whose value must be one of some names.
 template <typename Value>

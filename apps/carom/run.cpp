@@ -11,6 +11,7 @@
 
 #include "carom/carom.hpp"
 #include "command.hpp"
+#include "environment.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -18,7 +19,6 @@
 namespace carom::program {
 namespace {
 
-const std::map<std::string, SolverKind> kSolvers{{"reference", SolverKind::reference}};
 const std::map<std::string, std::optional<TrajectoryFormat>> kTrajectories{{"xyz", TrajectoryFormat::xyz},
                                                                            {"none", TrajectoryFormat::none}};
 
@@ -27,7 +27,7 @@ struct RunOptions {
   std::optional<double> until;
   std::optional<std::uint64_t> collisions;
   std::optional<double> equilibrate;
-  SolverKind solver = SolverKind::reference;
+  SolverKind solver = SolverKind::fast;
   std::optional<std::uint64_t> seed;
   std::string out;
   std::optional<double> every;
@@ -112,7 +112,8 @@ int run_command(const RunOptions& options) {
 
   RunPlan plan;
   plan.settings = settled(file.run, options);
-  plan.solver = options.solver;
+  plan.solver.kind = options.solver;
+  plan.solver.simd = simd_from_environment();
   plan.title = file.scene.title;
   plan.command = command_line();
   Setup setup = realize_here(file.scene);
@@ -135,6 +136,7 @@ int run_command(const RunOptions& options) {
 
 void add_run(CLI::App& app, Action& action) {
   CLI::App* command = add_command(app, "run", "Simulate a scene", "carom run scenes/gas.toml --collisions 5000");
+  mention_simd_variable(*command);
   const auto options = std::make_shared<RunOptions>();
   command
       ->add_option("SCENE", options->scene, "a scene (TOML), an algs4 CollisionSystem file, an extended XYZ file, or -")
@@ -145,7 +147,7 @@ void add_run(CLI::App& app, Action& action) {
             "stop at the first window's end at or after so many collisions");
   add_number(*command, "--equilibrate", options->equilibrate,
              "measure the pressure from the first window after this time");
-  add_choice(*command, "--solver", options->solver, kSolvers, "which solver: reference; all give the same bits");
+  add_solver(*command, options->solver);
   add_count(*command, "--seed", options->seed, "take the place of the seeds in the scene");
   add_path(*command, "--out", options->out, "DIR",
            "directory for report.json, scene.toml, final.xyz and the trajectory");

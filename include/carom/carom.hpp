@@ -8,6 +8,7 @@
 
 #include "carom/base/error.hpp"
 #include "carom/base/random.hpp"
+#include "carom/base/simd.hpp"
 #include "carom/base/vec2.hpp"
 #include "carom/carom/presets.hpp"
 #include "carom/carom/run_scene.hpp"

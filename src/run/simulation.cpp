@@ -22,7 +22,7 @@ void throw_if_invalid(const Setup& setup) {
 
 }  // namespace
 
-Simulation::Simulation(Setup setup, SolverKind kind)
+Simulation::Simulation(Setup setup, const SolverOptions& solver)
     : books_(setup.system.size()), books_at_start_(books_), interrupt_(&kNeverInterrupted) {
   throw_if_invalid(setup);
   state_ = initial_state(setup);
@@ -30,9 +30,7 @@ Simulation::Simulation(Setup setup, SolverKind kind)
   state_.clock.length = first_window_length(system_, state_);
   initial_ = {kinetic_energy(system_, state_.disks), momentum(system_, state_.disks),
               momentum_scale(system_, state_.disks)};
-  switch (kind) {
-    case SolverKind::reference: solver_ = make_reference_solver(system_); break;
-  }
+  solver_ = make_solver(system_, solver);
 }
 
 void Simulation::add_observer(Observer& observer) { observers_.push_back(&observer); }

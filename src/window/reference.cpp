@@ -9,6 +9,7 @@
 #include "carom/predict/contact.hpp"
 #include "carom/rule/collision.hpp"
 #include "carom/window/solver.hpp"
+#include "encounter.hpp"
 
 namespace carom {
 namespace {
@@ -114,9 +115,7 @@ class ReferenceSolver final : public Solver {
   [[nodiscard]] double contact_distance(DiskId i, DiskId j) const noexcept {
     return system_.radius(i) + system_.radius(j);
   }
-  [[nodiscard]] Vec2 shift_of(Image image) const noexcept {
-    return {image.x * system_.box.size.x, image.y * system_.box.size.y};
-  }
+  [[nodiscard]] Vec2 shift(Image image) const noexcept { return shift_of(image, system_.box.size); }
 
   void load(const State& start) {
     bodies_.assign(size(), Body{});
@@ -126,7 +125,7 @@ class ReferenceSolver final : public Solver {
       body.flight = {start.disks.position(k), start.disks.velocity(k), 0};
       body.winding_x = start.disks.winding_x[k];
       body.winding_y = start.disks.winding_y[k];
-      body.last_contact = start.last_contact.empty() ? -predict::kNever : start.last_contact[k];
+      body.last_contact = start.last_contact.empty() ? kNoContactYet : start.last_contact[k];
     }
   }
 
@@ -167,22 +166,14 @@ class ReferenceSolver final : public Solver {
     for (std::int32_t nx = x.first; nx <= x.last; ++nx) {
       for (std::int32_t ny = y.first; ny <= y.last; ++ny) {
         const Image image{nx, ny};
-        consider({predict::contact_of_disks(a, b, shift_of(image), sigma), i, j, image}, best);
+        consider({predict::contact_of_disks(a, b, shift(image), sigma), i, j, image}, best);
       }
     }
   }
 
   void consider_wall(DiskId k, Wall wall, Pending& best) const noexcept {
-    const int axis = axis_of(wall);
-    if (!system_.box.reflecting(axis)) return;
-    const predict::Flight& flight = bodies_[k].flight;
-    const double x = axis == 0 ? flight.position.x : flight.position.y;
-    const double v = axis == 0 ? flight.velocity.x : flight.velocity.y;
-    const double size = axis == 0 ? system_.box.size.x : system_.box.size.y;
-    const double radius = system_.radius(k);
-    const bool low = wall == Wall::left || wall == Wall::bottom;
-    const double time = low ? predict::contact_with_low_wall(x, v, flight.time, radius)
-                            : predict::contact_with_high_wall(x, v, flight.time, radius, size);
+    if (!system_.box.reflecting(axis_of(wall))) return;
+    const double time = contact_of_disk_and_wall(bodies_[k].flight, system_.radius(k), wall, system_.box.size);
     consider({time, k, id_of(wall), {}}, best);
   }
 
@@ -223,7 +214,7 @@ class ReferenceSolver final : public Solver {
 
   /// The TC rule: a contact too soon after either disk's last one is elastic.
   double restitution_at(double time, double last_contact, double restitution) noexcept {
-    if (restitution == 1 || !(time - last_contact < system_.physics.t_c)) return restitution;
+    if (!collapses(time, last_contact, restitution, system_.physics.t_c)) return restitution;
     ++books_->collapses;
     return 1;
   }
@@ -242,34 +233,25 @@ class ReferenceSolver final : public Solver {
     const Image turns_a = carry(a, time);
     const Image turns_b = carry(b, time);
     const Image image{event.image.x + turns_b.x - turns_a.x, event.image.y + turns_b.y - turns_a.y};
-    const Vec2 r = predict::separation(a.flight, b.flight, shift_of(image), time);
-
-    const rule::Velocities before{a.flight.velocity, b.flight.velocity};
     const double last_contact = std::max(a.last_contact, b.last_contact);
-    const rule::Velocities after =
-        rule::collide({.r = r,
-                       .v = before,
-                       .m1 = system_.mass(event.i),
-                       .m2 = system_.mass(event.j),
-                       .restitution = restitution_at(time, last_contact, system_.physics.restitution)});
-    a.flight.velocity = after.first;
-    b.flight.velocity = after.second;
+    const DiskEncounter encounter =
+        encounter_of_disks(a.flight, b.flight, shift(image), system_.mass(event.i), system_.mass(event.j),
+                           restitution_at(time, last_contact, system_.physics.restitution));
+    a.flight.velocity = encounter.after.first;
+    b.flight.velocity = encounter.after.second;
 
-    const Vec2 impulse = rule::impulse_on_second(system_.mass(event.j), before, after);
     const double sigma = contact_distance(event.i, event.j);
-    const double virial = length(impulse) * sigma;
+    const double virial = encounter.impulse * sigma;
     books_->virial_of[event.i] += 0.5 * virial;
     books_->virial_of[event.j] += 0.5 * virial;
     ++books_->collisions;
     books_->ties += generation > 0;
     book_event(a, event.i, time, generation);
     book_event(b, event.j, time, generation);
-    const double distance = length(r);
-    note_overlap((sigma - distance) / sigma);
+    note_overlap((sigma - length(encounter.r)) / sigma);
     if (log_ == nullptr) return;
-    const Vec2 normal = r / distance;
-    log_->push_back({time, static_cast<std::uint32_t>(generation), event.i, event.j, event.image,
-                     a.flight.position + system_.radius(event.i) * normal, normal, length(impulse)});
+    log_->push_back(row_of_disks(time, static_cast<std::uint32_t>(generation), event.i, event.j, event.image,
+                                 a.flight.position, system_.radius(event.i), encounter));
   }
 
   void collide_with_wall(const Pending& event) {
@@ -277,7 +259,6 @@ class ReferenceSolver final : public Solver {
     const double time = event.time;
     const Wall wall = wall_of(event.j);
     const int axis = axis_of(wall);
-    const bool low = wall == Wall::left || wall == Wall::bottom;
     const int generation = generation_at(body, time) + 1;
     carry(body, time);
 
@@ -291,22 +272,11 @@ class ReferenceSolver final : public Solver {
     ++books_->wall_collisions;
     books_->ties += generation > 0;
     book_event(body, event.i, time, generation);
-    const double x = axis == 0 ? body.flight.position.x : body.flight.position.y;
-    const double size = axis == 0 ? system_.box.size.x : system_.box.size.y;
     const double radius = system_.radius(event.i);
-    const double distance = low ? x - radius : (size - radius) - x;
-    note_overlap(-distance / (2 * radius));
+    note_overlap(overlap_with_wall(body.flight.position, radius, wall, system_.box.size));
     if (log_ == nullptr) return;
-    const double outwards = low ? -1 : 1;
-    const Vec2 normal = axis == 0 ? Vec2{outwards, 0} : Vec2{0, outwards};
-    log_->push_back({time,
-                     static_cast<std::uint32_t>(generation),
-                     event.i,
-                     event.j,
-                     {},
-                     body.flight.position + radius * normal,
-                     normal,
-                     impulse});
+    log_->push_back(row_of_wall(time, static_cast<std::uint32_t>(generation), event.i, wall, body.flight.position,
+                                radius, impulse));
   }
 
   // --- certificate ----------------------------------------------------------------------------------------
@@ -317,26 +287,25 @@ class ReferenceSolver final : public Solver {
   void note_overlaps(const Frame& frame) {
     const Box& box = system_.box;
     for (DiskId i = 0; i < size(); ++i) {
-      if (box.reflecting(0)) note_wall_overlap(i, frame.x[i], box.size.x);
-      if (box.reflecting(1)) note_wall_overlap(i, frame.y[i], box.size.y);
-      for (DiskId j = i + 1; j < size(); ++j) {
-        const double sigma = contact_distance(i, j);
-        const Vec2 r = frame.position(j) - frame.position(i);
-        const ImageRange x = box.periodic(0) ? images_in_reach(r.x, 0, 0, sigma, box.size.x) : ImageRange{};
-        const ImageRange y = box.periodic(1) ? images_in_reach(r.y, 0, 0, sigma, box.size.y) : ImageRange{};
-        for (std::int32_t nx = x.first; nx <= x.last; ++nx) {
-          for (std::int32_t ny = y.first; ny <= y.last; ++ny) {
-            note_overlap((sigma - length(r + shift_of({nx, ny}))) / sigma);
-          }
-        }
+      for (const Wall wall : {Wall::left, Wall::right, Wall::bottom, Wall::top}) {
+        if (!box.reflecting(axis_of(wall))) continue;
+        note_overlap(overlap_with_wall(frame.position(i), system_.radius(i), wall, box.size));
       }
+      for (DiskId j = i + 1; j < size(); ++j)
+        note_overlap_of_pair(frame.position(i), frame.position(j), contact_distance(i, j));
     }
   }
 
-  void note_wall_overlap(DiskId k, double coordinate, double size) noexcept {
-    const double radius = system_.radius(k);
-    const double distance = std::min(coordinate - radius, (size - radius) - coordinate);
-    note_overlap(-distance / (2 * radius));
+  void note_overlap_of_pair(Vec2 i, Vec2 j, double sigma) {
+    const Box& box = system_.box;
+    const Vec2 r = j - i;
+    const ImageRange x = box.periodic(0) ? images_in_reach(r.x, 0, 0, sigma, box.size.x) : ImageRange{};
+    const ImageRange y = box.periodic(1) ? images_in_reach(r.y, 0, 0, sigma, box.size.y) : ImageRange{};
+    for (std::int32_t nx = x.first; nx <= x.last; ++nx) {
+      for (std::int32_t ny = y.first; ny <= y.last; ++ny) {
+        note_overlap((sigma - length((j + shift({nx, ny})) - i)) / sigma);
+      }
+    }
   }
 
   const System& system_;

@@ -18,7 +18,7 @@ namespace carom {
 /// How a run is to end and what it leaves behind.
 struct RunPlan {
   RunSettings settings;  ///< with `until` or `collisions`
-  SolverKind solver = SolverKind::reference;
+  SolverOptions solver;
   std::optional<OutputDirectory> directory;    ///< for scene.toml, final.xyz, report.json and the trajectory
   std::optional<std::string> collisions_file;  ///< a CSV file for the collision log
   std::string title;                           ///< of the scene

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+
+#include "carom/base/simd.hpp"
 
 namespace carom::rule {
 
@@ -18,7 +21,8 @@ struct PairSpans {
 };
 
 /// rule::collide for every pair, with the same bits. Pairs that do not approach keep their velocities.
-/// The caller guarantees spans of one length that do not overlap.
-void collide_batch(const PairSpans& pairs, double restitution = 1) noexcept;
+/// The caller guarantees spans of one length that do not overlap; they may begin at any double.
+/// `simd`: one of available_simd(), the fastest by default; throws Error if the processor lacks it.
+void collide_batch(const PairSpans& pairs, double restitution = 1, std::optional<Simd> simd = {});
 
 }  // namespace carom::rule

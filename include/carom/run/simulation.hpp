@@ -36,8 +36,6 @@ class Observer {
   virtual void on_window(const WindowRecord& window) = 0;
 };
 
-enum class SolverKind { reference };
-
 /// What impulses were summed over: the windows from one time on.
 struct Measured {
   bool started = false;
@@ -49,7 +47,7 @@ struct Measured {
 class Simulation {
  public:
   /// Starts at time 0. Throws Error if the setup cannot be simulated.
-  explicit Simulation(Setup setup, SolverKind solver = SolverKind::reference);
+  explicit Simulation(Setup setup, const SolverOptions& solver = {});
 
   /// Why advancing ended.
   enum class Stop { reached, interrupted };

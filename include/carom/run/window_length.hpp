@@ -10,7 +10,7 @@
 namespace carom {
 
 /// Contacts per disk that a window should hold.
-inline constexpr double kContactsPerWindow = 4;
+inline constexpr double kContactsPerWindow = 16;
 
 /// Length (time, a power of two) of the first window: about kContactsPerWindow at the collision rate of a gas of
 /// this density and temperature, and not so long that the fastest disk could cross a periodic box more than a few

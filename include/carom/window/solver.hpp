@@ -3,9 +3,11 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "carom/base/simd.hpp"
 #include "carom/state/state.hpp"
 #include "carom/state/system.hpp"
 #include "carom/window/books.hpp"
@@ -45,7 +47,33 @@ class Solver {
   virtual void close(State& next) = 0;
 };
 
-/// The solver written for clarity: all pairs, all images in reach, a linear scan for the next event.
+enum class SolverKind {
+  fast,      ///< neighbour lists or a grid of cells, an event calendar, vector instructions
+  reference  ///< written for clarity: all pairs, all images in reach, a linear scan for the next event
+};
+
+/// How the fast solver finds the disks near a disk.
+enum class Neighbourhood {
+  lists,  ///< a list per disk, renewed when the disk has gone half its shell: best in dense systems
+  cells   ///< a grid whose cells report every crossing: best in dilute systems
+};
+
+/// Which solver, and how it goes about it. Changes the speed and never a bit of the results.
+struct SolverOptions {
+  SolverKind kind = SolverKind::fast;
+  // What follows is for the fast solver.
+  std::optional<Simd> simd = {};                    ///< one of available_simd(); the fastest by default
+  std::optional<Neighbourhood> neighbourhood = {};  ///< chosen from the density by default
+  double shell = 0;         ///< how much farther than contact a list reaches (length); 0: from the density
+  double cell_size = 0;     ///< least width of a cell (length); 0: from the density
+  double bucket_width = 0;  ///< of the event calendar (time); 0: from the rate of events
+};
+
+/// Throws Error if the processor lacks the instructions asked for. `system` must outlive the solver.
+std::unique_ptr<Solver> make_solver(const System& system, const SolverOptions& options = {});
+
+/// The two kinds by themselves.
 std::unique_ptr<Solver> make_reference_solver(const System& system);
+std::unique_ptr<Solver> make_fast_solver(const System& system, const SolverOptions& options = {});
 
 }  // namespace carom

@@ -1,0 +1,113 @@
+// The event calendar: buckets of a few events each, filled in any order, sorted when their turn comes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "huge_pages.hpp"
+#include "record.hpp"
+
+namespace carom::fast {
+
+/// An event to come: which disk's, and when.
+struct Due {
+  double time = 0;
+  Index disk = 0;
+};
+
+/// Holds the disks whose next event comes in a bucket; the time itself is in the disk's record. An entry whose disk
+/// has another event by now is dropped when its bucket's turn comes, or when it is taken.
+///
+/// Buckets ahead of the current one stand in a ring; events beyond the ring wait until the ring has gone round once.
+class Calendar {
+ public:
+  /// Empties the calendar for a window of this length, with buckets of this width, `ring` of them at hand.
+  void start(double length, double width, std::size_t ring);
+
+  /// Enters the disk's event at `time`, before the window's end.
+  void push(Index disk, double time) {
+    ++pushed_;
+    const std::int64_t bucket = bucket_of(time);
+    if (bucket <= current_) {
+      insert_due({time, disk});
+      return;
+    }
+    std::size_t slot = static_cast<std::size_t>(bucket - lap_start_);
+    if (bucket - std::max(current_, lap_start_) >= static_cast<std::int64_t>(ring_.size())) {
+      beyond_.push_back(disk);
+      return;
+    }
+    if (slot >= ring_.size()) slot -= ring_.size();
+    Bucket& line = ring_[slot];
+    if (line.count == Bucket::kRoom) spill(line);
+    line.disks[line.count++] = disk;
+  }
+
+  /// The events of the current bucket, latest first.
+  [[nodiscard]] const std::vector<Due>& due() const noexcept { return due_; }
+  [[nodiscard]] std::vector<Due>& due() noexcept { return due_; }
+
+  /// Makes the next bucket that holds events the current one, sorts it, and returns true; false at the window's end.
+  bool turn(const Array<Record>& records);
+
+  /// Puts the last of the due events, two or more of one time, into the order given by `comes_before(disk, disk)`, and
+  /// drops those out of date. Returns false if nothing had to be done.
+  template <class ComesBefore>
+  bool settle_tie(const Array<Record>& records, ComesBefore comes_before) {
+    const double time = due_.back().time;
+    if (settled_ == time) return false;
+    auto first = due_.end();
+    while (first != due_.begin() && (first - 1)->time == time) --first;
+    due_.erase(std::remove_if(first, due_.end(), [&](const Due& e) { return records[e.disk].next != time; }),
+               due_.end());
+    std::sort(first, due_.end(), [&](const Due& a, const Due& b) { return comes_before(b.disk, a.disk); });
+    settled_ = time;
+    return true;
+  }
+
+  /// Disks of a bucket some turns ahead, for prefetching; at most Bucket::kRoom.
+  template <class Visit>
+  void peek(std::int64_t ahead, Visit visit) const {
+    if (current_ + ahead > last_ || ahead >= static_cast<std::int64_t>(ring_.size())) return;
+    std::size_t slot = static_cast<std::size_t>(current_ + ahead - lap_start_);
+    if (slot >= ring_.size()) slot -= ring_.size();
+    const Bucket& line = ring_[slot];
+    for (std::uint32_t k = 0; k < line.count; ++k) visit(line.disks[k]);
+  }
+
+  /// Events entered so far.
+  [[nodiscard]] std::uint64_t pushed() const noexcept { return pushed_; }
+
+ private:
+  struct alignas(64) Bucket {
+    static constexpr std::uint32_t kRoom = 14;
+    std::uint32_t count = 0;
+    std::uint32_t more = 0;  // 1 + place of a full bucket in spilled_
+    std::array<Index, kRoom> disks{};
+  };
+  static_assert(sizeof(Bucket) == 64);
+
+  [[nodiscard]] std::int64_t bucket_of(double time) const noexcept {
+    return std::min(static_cast<std::int64_t>(time * inverse_width_), last_);
+  }
+  void insert_due(Due event);
+  void spill(Bucket& line);
+  void collect(const Bucket& line, const Array<Record>& records);
+  void begin_lap(const Array<Record>& records);
+
+  double settled_ = -1;  // time of the tie whose events are in order
+  double inverse_width_ = 0;
+  std::int64_t last_ = -1;      // bucket of the window
+  std::int64_t current_ = -1;   // bucket whose events are due
+  std::int64_t lap_start_ = 0;  // bucket in ring_[0]
+  std::uint64_t pushed_ = 0;
+  Array<Bucket> ring_;
+  std::vector<Bucket> spilled_;
+  std::vector<std::uint32_t> free_;  // places in spilled_
+  std::vector<Index> beyond_;        // disks whose event lies beyond the ring
+  std::vector<Due> due_;
+};
+
+}  // namespace carom::fast

@@ -1,0 +1,166 @@
+#include "lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::fast {
+
+Lists::Lists(const System& system, const Extent& extent, double shell, double slack, const Array<Record>& records,
+             const Array<DiskId>& ids)
+    : box_(system.box),
+      records_(records),
+      ids_(ids),
+      shell_(shell),
+      slack_(slack),
+      leash_(shell / 2),
+      lists_(records.size()),
+      following_(records.size(), -1) {
+  make_levels(system, extent);
+  for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
+    lists_[k].x = records[k].x;
+    lists_[k].y = records[k].y;
+    lists_[k].traits = 0;
+    clear(k);
+    levels_[level_of(records[k].radius)].grid.insert(k, centre(k), following_);
+  }
+  for (Index k = 0; k < static_cast<Index>(records.size()); ++k) look_around(k, false);
+}
+
+double Lists::mean_length() const noexcept {
+  std::uint64_t neighbours = 0;
+  for (Index k = 0; k < static_cast<Index>(lists_.size()); ++k) for_neighbours(k, [&](Neighbour) { ++neighbours; });
+  return static_cast<double>(neighbours) / static_cast<double>(lists_.size());
+}
+
+/// Radii within a factor of two share a level.
+std::size_t Lists::level_of(double radius) const noexcept {
+  int exponent = 0;
+  std::frexp(radius / smallest_radius_, &exponent);
+  return std::min(static_cast<std::size_t>(std::max(exponent - 1, 0)), levels_.size() - 1);
+}
+
+void Lists::make_levels(const System& system, const Extent& extent) {
+  constexpr std::size_t kMostLevels = 10;
+  double largest = 0;
+  smallest_radius_ = predict::kNever;
+  for (const Record& record : records_) {
+    smallest_radius_ = std::min(smallest_radius_, record.radius);
+    largest = std::max(largest, record.radius);
+  }
+  int exponent = 0;
+  std::frexp(largest / smallest_radius_, &exponent);
+  std::vector<std::size_t> disks(std::min(static_cast<std::size_t>(std::max(exponent, 1)), kMostLevels), 0);
+  std::vector<double> radii(disks.size(), 0);
+  for (std::size_t level = 0; level < disks.size(); ++level) {
+    levels_.push_back({0, Grid(system.box, extent, predict::kNever, 1)});
+  }
+  for (const Record& record : records_) {
+    const std::size_t level = level_of(record.radius);
+    ++disks[level];
+    radii[level] = std::max(radii[level], record.radius);
+  }
+  for (std::size_t level = 0; level < disks.size(); ++level) {
+    const double width = 2 * radii[level] + shell_ + slack_;
+    levels_[level] = {radii[level], Grid(system.box, extent, width, disks[level])};
+  }
+}
+
+void Lists::renew(Index k, Vec2 place) {
+  Grid& grid = levels_[level_of(records_[k].radius)].grid;
+  for_neighbours(k, [&](const Neighbour& neighbour) { drop(neighbour.disk, k); });
+  grid.remove(k, centre(k), following_);
+  clear(k);
+  lists_[k].x = place.x;
+  lists_[k].y = place.y;
+  look_around(k, true);
+  grid.insert(k, place, following_);
+}
+
+void Lists::look_around(Index k, bool both_ways) {
+  const double radius = records_[k].radius;
+  const Vec2 here = centre(k);
+  for (const Level& level : levels_) {
+    if (level.largest_radius == 0) continue;
+    const double reach = radius + level.largest_radius + shell_ + slack_;
+    level.grid.visit_near(
+        here, reach, following_, [&](Index other) { return centre(other); },
+        [&](Index other, Image image) {
+          if (other == k) return;
+          const Vec2 r = (centre(other) + Vec2{image.x * box_.size.x, image.y * box_.size.y}) - here;
+          const double range = radius + records_[other].radius + shell_ + slack_;
+          if (!(dot(r, r) < range * range)) return;
+          if (ids_[other] < ids_[k]) image = {-image.x, -image.y};
+          add(k, {other, image});
+          if (both_ways) add(other, {k, image});
+        });
+  }
+  if (near_wall(k)) lists_[k].traits |= List::kNearWall;
+}
+
+bool Lists::near_wall(Index k) const noexcept {
+  if (!box_.has_walls()) return false;
+  const double reach = records_[k].radius + leash_ + slack_;
+  const Vec2 here = centre(k);
+  return (box_.reflecting(0) && (here.x < reach || here.x > box_.size.x - reach)) ||
+         (box_.reflecting(1) && (here.y < reach || here.y > box_.size.y - reach));
+}
+
+/// An empty list.
+void Lists::clear(Index k) {
+  List& list = lists_[k];
+  if ((list.traits & List::kLong) != 0) {
+    long_[list.near[0]].neighbours.clear();
+    free_.push_back(list.near[0]);
+  }
+  list.count = 0;
+  list.traits = 0;
+  list.near.fill(k);
+}
+
+void Lists::add(Index k, Neighbour neighbour) {
+  List& list = lists_[k];
+  const bool is_long = (list.traits & List::kLong) != 0;
+  if (!is_long && (list.count == List::kRoom || neighbour.image != Image{})) {
+    lengthen(k);
+  } else if (!is_long) {
+    list.near[list.count++] = neighbour.disk;
+    return;
+  }
+  long_[lists_[k].near[0]].neighbours.push_back(neighbour);
+}
+
+/// Moves the list to where there is room for any number of neighbours and for their images.
+void Lists::lengthen(Index k) {
+  List& list = lists_[k];
+  Index place;
+  if (free_.empty()) {
+    place = static_cast<Index>(long_.size());
+    long_.emplace_back();
+  } else {
+    place = free_.back();
+    free_.pop_back();
+  }
+  Long& lengthened = long_[place];
+  lengthened.partner_image = {};  // so far there was none but the disks themselves
+  for (int m = 0; m < list.count; ++m) lengthened.neighbours.push_back({list.near[m], {}});
+  list.count = 0;
+  list.traits |= List::kLong;
+  list.near[0] = place;
+}
+
+/// Takes every copy of `disk` out of the list of k.
+void Lists::drop(Index k, Index disk) {
+  List& list = lists_[k];
+  if ((list.traits & List::kLong) != 0) {
+    std::erase_if(long_[list.near[0]].neighbours, [disk](const Neighbour& other) { return other.disk == disk; });
+    return;
+  }
+  for (int m = 0; m < list.count; ++m) {
+    if (list.near[m] != disk) continue;
+    list.near[m] = list.near[--list.count];
+    list.near[list.count] = k;
+    return;
+  }
+}
+
+}  // namespace carom::fast

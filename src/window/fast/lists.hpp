@@ -1,0 +1,110 @@
+// Neighbour lists: for every disk those that it can meet before it leaves the place where its list was made.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "carom/state/system.hpp"
+#include "carom/window/collision.hpp"
+#include "grid.hpp"
+#include "huge_pages.hpp"
+#include "record.hpp"
+
+namespace carom::fast {
+
+/// The list of one disk: one cache line.
+///
+/// A list without traits holds all that its disk can meet: up to kRoom disks, none across a seam. The rest of `near`
+/// repeats the disk itself, which never meets itself. With traits, Lists::neighbours has to be asked.
+struct alignas(64) List {
+  static constexpr std::uint16_t kRoom = 10;
+  static constexpr std::uint16_t kLong = 1;      ///< too many disks, or copies across a seam; near[0] tells where
+  static constexpr std::uint16_t kNearWall = 2;  ///< a wall is within reach
+
+  double x, y;  ///< centre: where the disk was when its list was made, in the frame of its stored position (length)
+  std::uint16_t count;
+  std::uint16_t traits;
+  std::uint32_t partner_events;  ///< contacts of the record's partner when the record's event was predicted
+  std::array<Index, kRoom> near;
+};
+static_assert(sizeof(List) == 64);
+
+/// A disk that may be met, and which copy of it: with i the pair's smaller id, j's copy at its position + image L.
+struct Neighbour {
+  Index disk = 0;
+  Image image;
+};
+
+/// Lists reach to contact distance + shell; a disk that has gone half a shell from its list's centre needs a new one.
+class Lists {
+ public:
+  Lists(const System& system, const Extent& extent, double shell, double slack, const Array<Record>& records,
+        const Array<DiskId>& ids);
+
+  [[nodiscard]] List& operator[](Index k) noexcept { return lists_[k]; }
+  [[nodiscard]] const List& operator[](Index k) const noexcept { return lists_[k]; }
+  /// How far a disk may go from its list's centre (length), and that squared.
+  [[nodiscard]] double leash() const noexcept { return leash_; }
+  [[nodiscard]] double leash_squared() const noexcept { return leash_ * leash_; }
+  /// Mean number of neighbours.
+  [[nodiscard]] double mean_length() const noexcept;
+
+  /// Calls visit(Neighbour) for every neighbour of disk k.
+  template <class Visit>
+  void for_neighbours(Index k, Visit visit) const {
+    const List& list = lists_[k];
+    if ((list.traits & List::kLong) != 0) {
+      for (const Neighbour& neighbour : long_[list.near[0]].neighbours) visit(neighbour);
+    } else {
+      for (int m = 0; m < list.count; ++m) visit(Neighbour{list.near[m], {}});
+    }
+  }
+
+  /// The image of the partner in the disk's next event.
+  [[nodiscard]] Image partner_image(Index k) const noexcept {
+    return (lists_[k].traits & List::kLong) != 0 ? long_[lists_[k].near[0]].partner_image : Image{};
+  }
+  void set_partner_image(Index k, Image image) noexcept { long_[lists_[k].near[0]].partner_image = image; }
+
+  /// Makes a new list for disk k around `centre`, and enters k in the lists of those that it holds.
+  void renew(Index k, Vec2 centre);
+
+ private:
+  struct Long {
+    std::vector<Neighbour> neighbours;
+    Image partner_image;
+  };
+
+  [[nodiscard]] Vec2 centre(Index k) const noexcept { return {lists_[k].x, lists_[k].y}; }
+  [[nodiscard]] std::size_t level_of(double radius) const noexcept;
+  void make_levels(const System& system, const Extent& extent);
+  void look_around(Index k, bool both_ways);
+  [[nodiscard]] bool near_wall(Index k) const noexcept;
+  void clear(Index k);
+  void add(Index k, Neighbour neighbour);
+  void lengthen(Index k);
+  void drop(Index k, Index disk);
+
+  const Box& box_;
+  const Array<Record>& records_;
+  const Array<DiskId>& ids_;
+  double shell_;
+  double slack_;  // more than rounding can move a disk
+  double leash_;
+
+  Array<List> lists_;
+  std::vector<Long> long_;
+  std::vector<Index> free_;  // places in long_
+
+  /// Disks of similar size share a grid.
+  struct Level {
+    double largest_radius = 0;
+    Grid grid;
+  };
+  double smallest_radius_;
+  std::vector<Level> levels_;
+  Array<Index> following_;
+};
+
+}  // namespace carom::fast

@@ -1,0 +1,112 @@
+// All that a window works with, and those of its steps that are not hot.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "../encounter.hpp"
+#include "calendar.hpp"
+#include "carom/state/state.hpp"
+#include "carom/window/books.hpp"
+#include "carom/window/solver.hpp"
+#include "huge_pages.hpp"
+#include "lists.hpp"
+#include "record.hpp"
+
+namespace carom::fast {
+
+/// Events of one time are taken in this order: grid events first, then by (smaller id, larger id, image).
+struct EventKey {
+  bool physical = false;
+  DiskId i = 0;
+  DiskId j = 0;
+  Image image;
+
+  friend constexpr auto operator<=>(const EventKey&, const EventKey&) = default;
+};
+
+/// The earliest contact that a prediction found.
+struct Contact {
+  double time = predict::kNever;
+  Index partner = kNobody;
+  EventKey key;
+};
+
+/// One window's disks, lists and calendar. Members above the line are read and written by the hot loop (Events).
+class Workspace {
+ public:
+  Workspace(const System& of, const SolverOptions& options) : system(of), options_(options) {}
+
+  /// Loads the window's start, unless it is the end of the window closed before.
+  void open(const State& start, Books& to, std::vector<Collision>* rows);
+  /// The disks at `time`, from the loaded ones.
+  void read(double time, Frame& frame) const;
+  /// Enters in the books what the disks' own records count.
+  void book();
+  /// Carries all disks to the window's end, in the records and in `next`.
+  void close(State& next);
+
+  const System& system;
+  double length = 0;     // of the window (time)
+  bool one_kind = true;  // all disks have the same radius and mass
+  bool predicted = false;
+  Index first_unpredicted = 0;
+  Array<Record> records;
+  Array<DiskId> ids;
+  Array<double> virial;        // Σ ½ |J| σ of each disk, from the books on
+  Array<double> last_contact;  // of each disk (time); empty in elastic systems
+  std::unique_ptr<Lists> lists;
+  Calendar calendar;
+  double least_distance_squared = predict::kNever;  // at any contact, where there is one kind of disk
+  Books* books = nullptr;
+  std::vector<Collision>* log = nullptr;
+  std::uint64_t collisions = 0;  // not yet in the books
+
+  // ----------------------------------------------------------------------------------------------------------
+
+  /// The earliest contact of disk k with anything in its list, of whatever kind the list is.
+  [[nodiscard]] Contact earliest_contact(Index k) const;
+  /// Of disk k's next event.
+  [[nodiscard]] EventKey key_of(Index k) const;
+  /// Empties the calendar and fits its buckets to the events predicted for this window or counted in the last.
+  void start_calendar();
+  /// Folds the position into the box; returns how many periods were taken off.
+  Image fold(Index k);
+  /// A new list for disk k where it is at `time`.
+  void renew_list(Index k, double time);
+  /// Generation of a contact of disks i and j at `time`, one of which had an event at that time before.
+  std::uint32_t next_generation(Index i, Index j, double time);
+  /// The TC rule.
+  double restitution_at(double time, double last, double restitution) noexcept;
+  /// Returns true if the disk crossed a seam on its way.
+  bool collide_with_wall(Index k, double time);
+  void note_overlap(double overlap) noexcept { books->largest_overlap = std::max(books->largest_overlap, overlap); }
+  [[nodiscard]] double mass(Index k) const noexcept { return system.mass(ids[k]); }
+
+ private:
+  using Turns = std::pair<std::int64_t, std::int64_t>;
+
+  [[nodiscard]] bool continues(const State& start) const noexcept;
+  void load(const State& start);
+  void build_lists();
+  [[nodiscard]] Extent extent() const noexcept;
+  [[nodiscard]] double rounding_slack(const Extent& extent) const noexcept;
+  [[nodiscard]] double default_shell(const Extent& extent) const noexcept;
+  [[nodiscard]] std::uint32_t generation_before(Index k, double time) const noexcept;
+  void note_overlaps();
+
+  SolverOptions options_;
+  const State* start_ = nullptr;
+  bool closed_ = false;                     // the records stand at the end of a window
+  double rate_ = 0;                         // events entered per time in the window before; 0 if unknown
+  std::uint64_t renewals_ = 0;              // of lists since the disks were put in order
+  std::unordered_map<Index, Turns> turns_;  // of disks that crossed a seam in this window
+  Array<std::uint32_t> booked_;             // events of each disk that are in the books; empty if none are
+  double tie_time_ = -1;
+  std::unordered_map<Index, std::uint32_t> generations_;  // above 0, of events at tie_time_
+};
+
+}  // namespace carom::fast
