@@ -25,13 +25,24 @@ struct DiskEncounter {
 constexpr double kNoContactYet = -predict::kNever;
 
 /// Disk i meets the copy of disk j shifted by `shift`; masses `m_i`, `m_j`; restitution `e`.
-inline DiskEncounter encounter_of_disks(const predict::Flight& i, const predict::Flight& j, Vec2 shift, double m_i,
-                                        double m_j, double e) noexcept {
+[[gnu::always_inline]] inline DiskEncounter encounter_of_disks(const predict::Flight& i, const predict::Flight& j,
+                                                               Vec2 shift, double m_i, double m_j, double e) noexcept {
   const rule::Velocities before{i.velocity, j.velocity};
   DiskEncounter encounter;
   encounter.r = predict::separation(i, j, shift, i.time);
   encounter.after = rule::collide({.r = encounter.r, .v = before, .m1 = m_i, .m2 = m_j, .restitution = e});
   encounter.impulse = length(rule::impulse_on_second(m_j, before, encounter.after));
+  return encounter;
+}
+
+/// The same for disks of one mass. The rule asks for the ratio of the masses only, and a number divided by itself is 1.
+[[gnu::always_inline]] inline DiskEncounter encounter_of_equal_disks(const predict::Flight& i, const predict::Flight& j,
+                                                                     Vec2 shift, double mass, double e) noexcept {
+  const rule::Velocities before{i.velocity, j.velocity};
+  DiskEncounter encounter;
+  encounter.r = predict::separation(i, j, shift, i.time);
+  encounter.after = rule::collide({.r = encounter.r, .v = before, .m1 = 1, .m2 = 1, .restitution = e});
+  encounter.impulse = length(rule::impulse_on_second(mass, before, encounter.after));
   return encounter;
 }
 

@@ -40,9 +40,11 @@ class Calendar {
       return;
     }
     if (slot >= ring_.size()) slot -= ring_.size();
-    Bucket& line = ring_[slot];
-    if (line.count == Bucket::kRoom) spill(line);
-    line.disks[line.count++] = disk;
+    // The counts stand apart from the buckets: they are few enough to stay in the cache, and nothing need wait for the
+    // bucket's line to arrive.
+    std::uint8_t& count = counts_[slot];
+    if (count == Bucket::kRoom) spill(slot);
+    ring_[slot].disks[count++] = disk;
   }
 
   /// The events of the current bucket, latest first.
@@ -73,8 +75,8 @@ class Calendar {
     if (current_ + ahead > last_ || ahead >= static_cast<std::int64_t>(ring_.size())) return;
     std::size_t slot = static_cast<std::size_t>(current_ + ahead - lap_start_);
     if (slot >= ring_.size()) slot -= ring_.size();
-    const Bucket& line = ring_[slot];
-    for (std::uint32_t k = 0; k < line.count; ++k) visit(line.disks[k]);
+    const Bucket& bucket = ring_[slot];
+    for (int k = 0; k < counts_[slot]; ++k) visit(bucket.disks[k]);
   }
 
   /// Events entered so far.
@@ -82,9 +84,8 @@ class Calendar {
 
  private:
   struct alignas(64) Bucket {
-    static constexpr std::uint32_t kRoom = 14;
-    std::uint32_t count = 0;
-    std::uint32_t more = 0;  // 1 + place of a full bucket in spilled_
+    static constexpr std::uint8_t kRoom = 15;
+    std::uint32_t more = 0;  // 1 + place in spilled_ of a full bucket's worth
     std::array<Index, kRoom> disks{};
   };
   static_assert(sizeof(Bucket) == 64);
@@ -93,17 +94,19 @@ class Calendar {
     return std::min(static_cast<std::int64_t>(time * inverse_width_), last_);
   }
   void insert_due(Due event);
-  void spill(Bucket& line);
-  void collect(const Bucket& line, const Array<Record>& records);
+  void spill(std::size_t slot);
+  void collect(const Bucket& bucket, std::uint8_t count, const Array<Record>& records);
   void begin_lap(const Array<Record>& records);
 
   double settled_ = -1;  // time of the tie whose events are in order
+  double length_ = 0;    // of the window
   double inverse_width_ = 0;
   std::int64_t last_ = -1;      // bucket of the window
   std::int64_t current_ = -1;   // bucket whose events are due
   std::int64_t lap_start_ = 0;  // bucket in ring_[0]
   std::uint64_t pushed_ = 0;
   Array<Bucket> ring_;
+  Array<std::uint8_t> counts_;  // of disks in each bucket of the ring
   std::vector<Bucket> spilled_;
   std::vector<std::uint32_t> free_;  // places in spilled_
   std::vector<Index> beyond_;        // disks whose event lies beyond the ring

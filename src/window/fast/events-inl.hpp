@@ -1,26 +1,25 @@
 // The loop over a window's events: predict, take the earliest, apply the rule, predict again.
 //
-// Included by a file that defines `Kernel` in namespace carom::fast::CAROM_TARGET and the macros CAROM_TARGET,
+// Included by a file that defines `TargetKernel` in namespace carom::fast::CAROM_TARGET and the macros CAROM_TARGET,
 // CAROM_INLINE, CAROM_BEGIN and CAROM_END.
+#include "near-inl.hpp"
 
 CAROM_BEGIN
 namespace carom::fast::CAROM_TARGET {
 
-template <bool kOneKind>
+template <class Kernel, class Near, bool kOneKind>
 class Events {
  public:
   explicit Events(Workspace& work)
       : work_(work),
         records_(work.records.data()),
-        lists_(*work.lists),
+        near_(work),
         calendar_(work.calendar),
         size_(work.system.box.size),
         wraps_x_(work.system.box.periodic(0)),
         wraps_y_(work.system.box.periodic(1)),
         elastic_(work.system.physics.elastic()),
         length_(work.length),
-        leash_(work.lists->leash()),
-        leash_squared_(work.lists->leash_squared()),
         mass_(work.mass(0)),
         sigma_(records_[0].radius + records_[0].radius) {}
 
@@ -38,23 +37,53 @@ class Events {
     return true;
   }
 
+  /// At the window's end: notes the overlaps of all disks with their neighbours.
+  void note_overlaps() {
+    const Index count = static_cast<Index>(work_.records.size());
+    for (Index k = 0; k < count; ++k) {
+      Candidates near;
+      if (!near_.gather(k, near) || Kernel::template overlap<kOneKind>(records_, k, near.disks.data(), near.size)) {
+        work_.note_overlaps_of(k);
+      }
+    }
+  }
+
   bool process(double until, const std::atomic<bool>& interrupt) {
     std::vector<Due>& due = calendar_.due();
     for (;;) {
       if (due.empty()) {
         if (!calendar_.turn(work_.records)) return true;
-        prefetch_ahead();
+        prefetch();
       }
       const Due event = due.back();
       if (!(event.time < until)) return true;
       if (interrupt.load(std::memory_order_relaxed)) return false;
-      if (due.size() > 1 && due[due.size() - 2].time == event.time && settle_tie()) continue;
+      if (due.size() > 1 && due[due.size() - 2].time == event.time && !is_known_twice(due) && settle_tie()) continue;
       due.pop_back();
       if (records_[event.disk].next == event.time) process_event(event.disk, event.time);
     }
   }
 
  private:
+  /// Most contacts are the next event of both their disks, and may stand among those due twice. If that is all there is
+  /// at this time, one entry is enough, and true is returned.
+  CAROM_INLINE bool is_known_twice(std::vector<Due>& due) {
+    const std::size_t count = due.size();
+    const Index k = due[count - 1].disk;
+    const Index m = due[count - 2].disk;
+    const double time = due[count - 1].time;
+    if (count > 2 && due[count - 3].time == time) return false;
+    const Record& a = records_[k];
+    const Record& b = records_[m];
+    if (a.next != time || b.next != time || a.partner != m || b.partner != k || b.events != near_.partner_events(k)) {
+      return false;
+    }
+    if (work_.partner_image(k) != work_.partner_image(m)) return false;
+    due[count - 2] = due[count - 1];
+    due.pop_back();
+    return true;
+  }
+
   bool settle_tie() {
     return calendar_.settle_tie(work_.records, [&](Index a, Index b) { return work_.key_of(a) < work_.key_of(b); });
   }
@@ -62,102 +91,120 @@ class Events {
   CAROM_INLINE void process_event(Index k, double time) {
     const Index partner = records_[k].partner;
     if (partner >= 0) {
-      if (records_[partner].events != lists_[k].partner_events) {
+      if (records_[partner].events != near_.partner_events(k)) {
         predict(k);  // the partner has met somebody else since
       } else {
         collide(k, partner, time);
       }
     } else if (partner == kGridEvent) {
-      work_.renew_list(k, time);
-      predict(k);
+      if (near_.grid_event(k, time)) {
+        enter(k);
+      } else {
+        predict(k);
+      }
     } else {
-      if (work_.collide_with_wall(k, time)) work_.renew_list(k, time);
+      const Image turns = work_.collide_with_wall(k, time);
+      if (turns != Image{}) near_.folded(k, turns, time);
       predict(k);
     }
   }
 
+  /// Finds the earliest event of disk k and enters it in the calendar.
   CAROM_INLINE void predict(Index k) {
     find_next(k);
+    enter(k);
+  }
+
+  CAROM_INLINE void enter(Index k) {
     if (records_[k].next < length_) calendar_.push(k, records_[k].next);
   }
 
   /// Finds the earliest event of disk k and writes it into its record.
   CAROM_INLINE void find_next(Index k) {
-    Record& own = records_[k];
-    List& list = lists_[k];
-    double time;
-    Index partner;
-    if (list.traits == 0) {
-      const Nearest nearest = Kernel::template nearest<kOneKind>(records_, k, list);
-      if (nearest.tied) {
-        settle(k, time, partner);
-      } else {
-        time = nearest.time;
-        partner = nearest.partner;
-      }
+    Candidates near;
+    if (near_.gather(k, near)) {
+      note(k, Kernel::template nearest<kOneKind>(records_, k, near.disks.data(), near.size));
     } else {
-      settle(k, time, partner);
+      near_.note(k, work_.settled_contact(k));
     }
-    const double leaves = leaves_list(own, list, time);
-    if (leaves <= time) {
-      time = leaves;
-      partner = kGridEvent;
-    }
-    if (!(time < length_)) {
-      time = predict::kNever;
-      partner = kNobody;
-    }
-    own.next = time;
-    own.partner = partner;
-    if (partner >= 0) list.partner_events = records_[partner].events;
   }
 
-  /// The way for lists of any kind.
-  void settle(Index k, double& time, Index& partner) {
-    const Contact contact = work_.earliest_contact(k);
-    time = contact.time;
-    partner = contact.partner;
-    if (partner >= 0 && (lists_[k].traits & List::kLong) != 0) lists_.set_partner_image(k, contact.key.image);
+  CAROM_INLINE void note(Index k, const Nearest& nearest) {
+    near_.note(k, nearest.tied ? work_.settled_contact(k) : nearest);
   }
 
-  /// When the disk has gone as far from its list's centre as it may; kNever if not before `time` or the window's end.
-  CAROM_INLINE double leaves_list(const Record& own, const List& list, double time) const {
-    const double limit = (time < length_ ? time : length_) - own.t;
-    const double ex = own.x - list.x;
-    const double ey = own.y - list.y;
-    const double px = ex + own.vx * limit;
-    const double py = ey + own.vy * limit;
-    if (px * px + py * py < leash_squared_) return predict::kNever;
-    const double v_squared = own.vx * own.vx + own.vy * own.vy;
-    if (!(v_squared > 0)) return predict::kNever;
-    const double b = ex * own.vx + ey * own.vy;
-    const double c = leash_squared_ - (ex * ex + ey * ey);
-    if (c <= 0 && b >= 0) return own.t;
-    const double root = std::sqrt(std::max(b * b + v_squared * c, 0.0));
-    return own.t + (b > 0 ? c / (b + root) : (root - b) / v_squared);
-  }
-
-  CAROM_INLINE void collide(Index first, Index second, double time) {
+  [[gnu::flatten]] void collide(Index first, Index second, double time) {
     Index i = first;
     Index j = second;
     if (work_.ids[j] < work_.ids[i]) std::swap(i, j);
+    std::uint32_t generation = 0;
+    if (records_[i].t == time || records_[j].t == time) generation = work_.next_generation(i, j, time);
+
+    Image image = work_.partner_image(first);
+    const Image image_before = image;
+    const bool outside_i = carry(i, time);
+    const bool outside_j = carry(j, time);
+    if constexpr (Kernel::kSideBySide) {
+      if (!outside_i && !outside_j && collide_side_by_side(i, j, time, generation, image)) return;
+    }
+    if (outside_i || outside_j) {
+      const Image turns_i = outside_i ? work_.fold(i) : Image{};
+      const Image turns_j = outside_j ? work_.fold(j) : Image{};
+      image = {image.x + turns_j.x - turns_i.x, image.y + turns_j.y - turns_i.y};
+      const DiskEncounter encounter = part(i, j, time, image);
+      book(i, j, time, generation, image_before, encounter);
+      if (turns_i != Image{}) near_.folded(i, turns_i, time);
+      if (turns_j != Image{}) near_.folded(j, turns_j, time);
+    } else {
+      const DiskEncounter encounter = part(i, j, time, image);
+      book(i, j, time, generation, image_before, encounter);
+    }
+    predict(i);
+    predict(j);
+  }
+
+  /// The collision and both predictions with their steps interleaved, so that one need not wait for the other. Returns
+  /// false, with nothing done, where one of the disks needs a closer look.
+  CAROM_INLINE bool collide_side_by_side(Index i, Index j, double time, std::uint32_t generation, Image image) {
+    Candidates near_i, near_j;
+    if (!near_.gather(i, near_i) || !near_.gather(j, near_j)) return false;
+    const auto others_i = Kernel::flights_of(records_, near_i.disks.data());
+    const auto others_j = Kernel::flights_of(records_, near_j.disks.data());
+    const DiskEncounter encounter = part(i, j, time, image);
+    if (!(rule::approach(encounter.r, encounter.after) >= 0)) {
+      book(i, j, time, generation, image, encounter);
+      predict(i);
+      predict(j);
+      return true;
+    }
+    auto times_i = Kernel::template times_of<kOneKind>(Kernel::flights_of(records_[i]), others_i);
+    auto times_j = Kernel::template times_of<kOneKind>(Kernel::flights_of(records_[j]), others_j);
+    times_i = Kernel::without(times_i, near_i.disks.data(), j);
+    times_j = Kernel::without(times_j, near_j.disks.data(), i);
+    Nearest nearest_i = Kernel::nearest_of(times_i, near_i.disks.data());
+    Nearest nearest_j = Kernel::nearest_of(times_j, near_j.disks.data());
+    book(i, j, time, generation, image, encounter);
+    rest(i, near_i, nearest_i);
+    rest(j, near_j, nearest_j);
+    note(i, nearest_i);
+    note(j, nearest_j);
+    enter(i);
+    enter(j);
+    return true;
+  }
+
+  /// The disks beyond the first pass.
+  CAROM_INLINE void rest(Index k, const Candidates& near, Nearest& nearest) {
+    constexpr int kDone = Kernel::kLanesPerPass;
+    if (near.size <= kDone) return;
+    nearest =
+        earlier(nearest, Kernel::template nearest<kOneKind>(records_, k, near.disks.data() + kDone, near.size - kDone));
+  }
+
+  /// Applies the rule to disks i and j, both at the time of contact.
+  CAROM_INLINE DiskEncounter part(Index i, Index j, double time, Image image) {
     Record& a = records_[i];
     Record& b = records_[j];
-    std::uint32_t generation = 0;
-    if (a.t == time || b.t == time) generation = work_.next_generation(i, j, time);
-
-    Image image = lists_.partner_image(first);
-    const Image image_before = image;
-    bool folded_a = carry(i, time);
-    bool folded_b = carry(j, time);
-    if (folded_a || folded_b) {
-      const Image turns_a = folded_a ? work_.fold(i) : Image{};
-      const Image turns_b = folded_b ? work_.fold(j) : Image{};
-      image = {image.x + turns_b.x - turns_a.x, image.y + turns_b.y - turns_a.y};
-      folded_a = turns_a != Image{};
-      folded_b = turns_b != Image{};
-    }
-
     double restitution = 1;
     if (!elastic_) {
       const double last = std::max(work_.last_contact[i], work_.last_contact[j]);
@@ -165,18 +212,22 @@ class Events {
       work_.last_contact[i] = time;
       work_.last_contact[j] = time;
     }
-    const double m_i = kOneKind ? mass_ : work_.mass(i);
-    const double m_j = kOneKind ? mass_ : work_.mass(j);
-    const double sigma = kOneKind ? sigma_ : a.radius + b.radius;
     const DiskEncounter encounter =
-        encounter_of_disks(a.flight(), b.flight(), shift_of(image, size_), m_i, m_j, restitution);
+        kOneKind ? encounter_of_equal_disks(a.flight(), b.flight(), shift_of(image, size_), mass_, restitution)
+                 : encounter_of_disks(a.flight(), b.flight(), shift_of(image, size_), work_.mass(i), work_.mass(j),
+                                      restitution);
     a.vx = encounter.after.first.x;
     a.vy = encounter.after.first.y;
     b.vx = encounter.after.second.x;
     b.vy = encounter.after.second.y;
     ++a.events;
     ++b.events;
+    return encounter;
+  }
 
+  CAROM_INLINE void book(Index i, Index j, double time, std::uint32_t generation, Image image,
+                         const DiskEncounter& encounter) {
+    const double sigma = kOneKind ? sigma_ : records_[i].radius + records_[j].radius;
     const double virial = encounter.impulse * sigma;
     work_.virial[i] += 0.5 * virial;
     work_.virial[j] += 0.5 * virial;
@@ -188,13 +239,9 @@ class Events {
       work_.note_overlap((sigma - length(encounter.r)) / sigma);
     }
     if (work_.log != nullptr) {
-      work_.log->push_back(
-          row_of_disks(time, generation, work_.ids[i], work_.ids[j], image_before, {a.x, a.y}, a.radius, encounter));
+      work_.log->push_back(row_of_disks(time, generation, work_.ids[i], work_.ids[j], image,
+                                        {records_[i].x, records_[i].y}, records_[i].radius, encounter));
     }
-    if (folded_a) work_.renew_list(i, time);
-    if (folded_b) work_.renew_list(j, time);
-    predict(i);
-    predict(j);
   }
 
   /// Free flight to `time`. Returns true if the position has to be folded into the box.
@@ -208,31 +255,54 @@ class Events {
     return (wraps_x_ && !(own.x > 0 && own.x < size_.x)) || (wraps_y_ && !(own.y > 0 && own.y < size_.y));
   }
 
-  void prefetch_ahead() const {}
+  /// Asks for the lines that the events now due will read, and for those that have to be there to ask the same at the
+  /// next turn.
+  void prefetch() const {
+    calendar_.peek(1, [&](Index k) {
+      __builtin_prefetch(&records_[k]);
+      near_.prefetch(k);
+    });
+    for (const Due& event : calendar_.due()) {
+      const Index partner = records_[event.disk].partner;
+      near_.prefetch_around(event.disk);
+      if (partner < 0) continue;
+      __builtin_prefetch(&records_[partner]);
+      near_.prefetch(partner);
+    }
+  }
 
   Workspace& work_;
   Record* records_;
-  Lists& lists_;
+  Near near_;
   Calendar& calendar_;
   const Vec2 size_;
   const bool wraps_x_, wraps_y_, elastic_;
   const double length_;
-  const double leash_, leash_squared_;
   const double mass_;   // where all disks are of one kind
   const double sigma_;  // the same
 };
 
-template <bool kOneKind>
-bool process_events_of(Workspace& work, double until, const std::atomic<bool>& interrupt) {
-  Events<kOneKind> events(work);
-  if (!work.predicted && !events.predict_all(interrupt)) return false;
-  return events.process(until, interrupt);
+template <template <class, bool> class Near, bool kOneKind>
+struct LoopsOf {
+  using EventsHere = Events<TargetKernel, Near<TargetKernel, kOneKind>, kOneKind>;
+
+  static bool process_events(Workspace& work, double until, const std::atomic<bool>& interrupt) {
+    EventsHere events(work);
+    if (!work.predicted && !events.predict_all(interrupt)) return false;
+    return events.process(until, interrupt);
+  }
+  static void note_overlaps(Workspace& work) { EventsHere(work).note_overlaps(); }
+};
+
+template <template <class, bool> class Near>
+Loops loops_near(bool one_kind) noexcept {
+  return one_kind ? Loops{LoopsOf<Near, true>::process_events, LoopsOf<Near, true>::note_overlaps}
+                  : Loops{LoopsOf<Near, false>::process_events, LoopsOf<Near, false>::note_overlaps};
 }
 
-bool process_events(Workspace& work, double until, const std::atomic<bool>& interrupt) {
-  if (work.records.empty()) return true;
-  return work.one_kind ? process_events_of<true>(work, until, interrupt)
-                       : process_events_of<false>(work, until, interrupt);
+Loops loops(Neighbourhood neighbourhood, bool one_kind) noexcept {
+  return neighbourhood == Neighbourhood::cells ? loops_near<NearFromCells>(one_kind)
+                                               : loops_near<NearFromLists>(one_kind);
 }
 
 }  // namespace carom::fast::CAROM_TARGET

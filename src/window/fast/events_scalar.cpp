@@ -7,7 +7,7 @@
 #include "workspace.hpp"
 
 namespace carom::fast::scalar {
-using Kernel = ScalarKernel;
+using TargetKernel = ScalarKernel;
 }
 
 #define CAROM_TARGET scalar
@@ -18,8 +18,8 @@ using Kernel = ScalarKernel;
 
 namespace carom::fast {
 
-bool process_events_scalar(Workspace& work, double until, const std::atomic<bool>& interrupt) {
-  return scalar::process_events(work, until, interrupt);
+Loops scalar_loops(Neighbourhood neighbourhood, bool one_kind) noexcept {
+  return scalar::loops(neighbourhood, one_kind);
 }
 
 }  // namespace carom::fast

@@ -10,6 +10,9 @@
 
 #if HWY_ARCH_X86
 
+#ifndef HWY_COMPILE_ALL_ATTAINABLE
+#define HWY_COMPILE_ALL_ATTAINABLE
+#endif
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -23,7 +26,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::fast::HWY_NAMESPACE {
-using Kernel = VectorKernel;
+using TargetKernel = VectorKernel;
 }
 HWY_AFTER_NAMESPACE();
 
@@ -41,18 +44,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace carom::fast {
 
-ProcessEvents process_events_vector(Simd simd) noexcept {
+Loops vector_loops(Simd simd, Neighbourhood neighbourhood, bool one_kind) noexcept {
   switch (simd) {
 #if HWY_TARGETS & HWY_SSE4
-    case Simd::sse4: return N_SSE4::process_events;
+    case Simd::sse4: return N_SSE4::loops(neighbourhood, one_kind);
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    case Simd::avx2: return N_AVX2::process_events;
+    case Simd::avx2: return N_AVX2::loops(neighbourhood, one_kind);
 #endif
 #if HWY_TARGETS & HWY_AVX3
-    case Simd::avx512: return N_AVX3::process_events;
+    case Simd::avx512: return N_AVX3::loops(neighbourhood, one_kind);
 #endif
-    default: return nullptr;
+    default: return {};
   }
 }
 
@@ -62,7 +65,7 @@ ProcessEvents process_events_vector(Simd simd) noexcept {
 #else
 
 namespace carom::fast {
-ProcessEvents process_events_vector(Simd /*simd*/) noexcept { return nullptr; }
+Loops vector_loops(Simd /*simd*/, Neighbourhood /*neighbourhood*/, bool /*one_kind*/) noexcept { return {}; }
 }  // namespace carom::fast
 
 #endif

@@ -21,6 +21,7 @@ Grid::Grid(const Box& box, const Extent& extent, double width, std::size_t point
                    box.periodic(axis)};
   }
   columns_ = static_cast<std::size_t>(columns);
+  far_ = {box.periodic(0) ? size.x / 2 : predict::kNever, box.periodic(1) ? size.y / 2 : predict::kNever};
   first_.assign(columns_ * static_cast<std::size_t>(rows), -1);
 }
 

@@ -89,47 +89,92 @@ HWY_INLINE Flights same_flights(const Record& record) {
 }
 
 struct VectorKernel {
-  static constexpr int kPasses = (List::kRoom + kLanes - 1) / kLanes;
-  static_assert(List::kRoom % 2 == 0 && List::kRoom >= kLanes);
+  /// Two disks are predicted side by side where one pass usually does for each.
+  static constexpr bool kSideBySide = kLanes == 8;
+  static constexpr int kLanesPerPass = kLanes;
 
-  /// First entry of the list that a pass looks at: the last pass looks at some a second time, since the list ends.
-  static constexpr int first_of(int pass) {
-    return pass * kLanes + kLanes <= List::kRoom ? pass * kLanes : List::kRoom - kLanes;
+  /// The earliest contact of disk k with these disks. `near` goes on beyond `count` with k itself, which it never
+  /// meets, for as many entries as a vector has lanes.
+  template <bool kOneRadius>
+  static HWY_INLINE Nearest nearest(const Record* records, Index k, const Index* near, int count) {
+    const Flights own = same_flights(records[k]);
+    Nearest best;
+    for (int first = 0; first < count; first += kLanes) {
+      const Flights others = load_flights(records, near + first);
+      best = earlier(best, nearest_of(times_of<kOneRadius>(own, others), near + first));
+    }
+    return best;
   }
 
   template <bool kOneRadius>
-  static HWY_INLINE Nearest nearest(const Record* records, Index k, const List& list) {
+  static HWY_INLINE Vector times_of(const Flights& own, const Flights& others) {
+    const Vector sigma = kOneRadius ? hn::Add(own.radius, own.radius) : hn::Add(own.radius, others.radius);
+    return contacts(own, others, sigma);
+  }
+
+  /// The same times but for `met`: the two have just met, and part.
+  static HWY_INLINE Vector without(Vector times, const Index* near, Index met) {
+    const Doubles d;
+    const hn::Rebind<std::int64_t, Doubles> d64;
+    const hn::Rebind<std::int32_t, Doubles> d32;
+    const auto disks = hn::PromoteTo(d64, hn::LoadU(d32, near));
+    const Lanes parting = hn::RebindMask(d, hn::Eq(disks, hn::Set(d64, met)));
+    return hn::IfThenElse(parting, hn::Set(d, predict::kNever), times);
+  }
+
+  static HWY_INLINE Nearest nearest_of(Vector times, const Index* near) {
+    const Doubles d;
+    Nearest best;
+    best.time = hn::GetLane(hn::MinOfLanes(d, times));
+    const Lanes here = hn::Eq(times, hn::Set(d, best.time));
+    best.partner = near[hn::FindFirstTrue(d, here)];
+    best.tied = best.time < predict::kNever && hn::CountTrue(d, here) > 1;
+    return best;
+  }
+
+  /// Whether disk k overlaps one of these disks, all at the same time.
+  template <bool kOneRadius>
+  static HWY_INLINE bool overlap(const Record* records, Index k, const Index* near, int count) {
     const Doubles d;
     const Flights own = same_flights(records[k]);
-    const Vector never = hn::Set(d, predict::kNever);
-    const Vector own_sigma = hn::Add(own.radius, own.radius);
-    Vector times[kPasses];
-    Vector earliest = never;
-    const int passes = (list.count + kLanes - 1) / kLanes;
-    for (int pass = 0; pass < passes; ++pass) {
-      const int first = first_of(pass);
-      const Flights others = load_flights(records, list.near.data() + first);
-      times[pass] = contacts(own, others, kOneRadius ? own_sigma : hn::Add(own.radius, others.radius));
-      if (first != pass * kLanes) {
-        const auto again = hn::FirstN(d, static_cast<std::size_t>(pass * kLanes - first));
-        times[pass] = hn::IfThenElse(again, never, times[pass]);
-      }
-      earliest = hn::Min(earliest, times[pass]);
+    for (int first = 0; first < count; first += kLanes) {
+      const Flights others = load_flights(records, near + first);
+      const Vector rx = hn::Sub(others.x, own.x);
+      const Vector ry = hn::Sub(others.y, own.y);
+      const Vector sigma = hn::Add(own.radius, others.radius);
+      auto over = hn::Lt(hn::Add(hn::Mul(rx, rx), hn::Mul(ry, ry)), hn::Mul(sigma, sigma));
+      if (first + kLanes > count) over = hn::And(over, hn::FirstN(d, static_cast<std::size_t>(count - first)));
+      if (!hn::AllFalse(d, over)) return true;
     }
-    Nearest best;
-    best.time = hn::GetLane(hn::MinOfLanes(d, earliest));
-    if (!(best.time < predict::kNever)) return best;
-    const Vector least = hn::Set(d, best.time);
-    std::size_t found = 0;
-    for (int pass = 0; pass < passes; ++pass) {
-      const Lanes here = hn::Eq(times[pass], least);
-      const std::size_t count = hn::CountTrue(d, here);
-      if (count == 0) continue;
-      found += count;
-      best.partner = list.near[static_cast<std::size_t>(first_of(pass) + hn::FindFirstTrue(d, here))];
+    return false;
+  }
+
+  static HWY_INLINE Flights flights_of(const Record* records, const Index* near) { return load_flights(records, near); }
+  static HWY_INLINE Flights flights_of(const Record& record) { return same_flights(record); }
+
+  /// Appends to `near` the disks other than k in `count` neighbouring slots, at most 15 of them; 16 can be read.
+  /// Returns false if one of them needs a closer look.
+  template <int kCount>
+  static HWY_INLINE bool collect(const Index* slots, Index k, Index* near, int& size) {
+    constexpr int kWidth = HWY_MIN(HWY_LANES(std::int32_t), kCount <= 8 ? 8 : 16);
+    const hn::FixedTag<std::int32_t, kWidth> d;
+    const auto self = hn::Set(d, k);
+    const auto empty = hn::Set(d, Cells::kEmpty);
+    auto largest = empty;
+    for (int first = 0; first < kCount; first += kWidth) {
+      const auto slot = hn::LoadU(d, slots + first);
+      auto taken = hn::And(hn::Gt(slot, empty), hn::Ne(slot, self));
+      if (first + kWidth > kCount) taken = hn::And(taken, hn::FirstN(d, static_cast<std::size_t>(kCount - first)));
+      hn::StoreU(hn::Compress(slot, taken), d, near + size);
+      size += static_cast<int>(hn::CountTrue(d, taken));
+      largest = hn::Max(largest, hn::IfThenElseZero(taken, slot));
     }
-    best.tied = found > 1;
-    return best;
+    return hn::AllFalse(d, hn::Gt(largest, hn::Set(d, Cells::kMarked - 1)));
+  }
+
+  static HWY_INLINE void pad(Index k, Index* near, int size) {
+    const hn::FixedTag<std::int32_t, HWY_MIN(8, HWY_LANES(std::int32_t))> d;
+    hn::StoreU(hn::Set(d, k), d, near + size);
   }
 };
 

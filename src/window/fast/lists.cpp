@@ -34,6 +34,7 @@ double Lists::mean_length() const noexcept {
 
 /// Radii within a factor of two share a level.
 std::size_t Lists::level_of(double radius) const noexcept {
+  if (levels_.size() == 1) return 0;
   int exponent = 0;
   std::frexp(radius / smallest_radius_, &exponent);
   return std::min(static_cast<std::size_t>(std::max(exponent - 1, 0)), levels_.size() - 1);
@@ -47,6 +48,7 @@ void Lists::make_levels(const System& system, const Extent& extent) {
     smallest_radius_ = std::min(smallest_radius_, record.radius);
     largest = std::max(largest, record.radius);
   }
+  one_radius_ = smallest_radius_ == largest;
   int exponent = 0;
   std::frexp(largest / smallest_radius_, &exponent);
   std::vector<std::size_t> disks(std::min(static_cast<std::size_t>(std::max(exponent, 1)), kMostLevels), 0);
@@ -85,11 +87,11 @@ void Lists::look_around(Index k, bool both_ways) {
     level.grid.visit_near(
         here, reach, following_, [&](Index other) { return centre(other); },
         [&](Index other, Image image) {
-          if (other == k) return;
-          const Vec2 r = (centre(other) + Vec2{image.x * box_.size.x, image.y * box_.size.y}) - here;
-          const double range = radius + records_[other].radius + shell_ + slack_;
-          if (!(dot(r, r) < range * range)) return;
-          if (ids_[other] < ids_[k]) image = {-image.x, -image.y};
+          Vec2 r = centre(other) - here;
+          if (image != Image{}) r = r + Vec2{image.x * box_.size.x, image.y * box_.size.y};
+          const double range = one_radius_ ? reach : radius + records_[other].radius + shell_ + slack_;
+          if (!(dot(r, r) < range * range) || other == k) return;
+          if (image != Image{} && ids_[other] < ids_[k]) image = {-image.x, -image.y};
           add(k, {other, image});
           if (both_ways) add(other, {k, image});
         });
@@ -117,15 +119,8 @@ void Lists::clear(Index k) {
   list.near.fill(k);
 }
 
-void Lists::add(Index k, Neighbour neighbour) {
-  List& list = lists_[k];
-  const bool is_long = (list.traits & List::kLong) != 0;
-  if (!is_long && (list.count == List::kRoom || neighbour.image != Image{})) {
-    lengthen(k);
-  } else if (!is_long) {
-    list.near[list.count++] = neighbour.disk;
-    return;
-  }
+void Lists::add_to_long(Index k, Neighbour neighbour) {
+  if ((lists_[k].traits & List::kLong) == 0) lengthen(k);
   long_[lists_[k].near[0]].neighbours.push_back(neighbour);
 }
 

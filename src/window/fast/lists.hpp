@@ -9,6 +9,7 @@
 #include "carom/window/collision.hpp"
 #include "grid.hpp"
 #include "huge_pages.hpp"
+#include "neighbour.hpp"
 #include "record.hpp"
 
 namespace carom::fast {
@@ -29,12 +30,6 @@ struct alignas(64) List {
   std::array<Index, kRoom> near;
 };
 static_assert(sizeof(List) == 64);
-
-/// A disk that may be met, and which copy of it: with i the pair's smaller id, j's copy at its position + image L.
-struct Neighbour {
-  Index disk = 0;
-  Image image;
-};
 
 /// Lists reach to contact distance + shell; a disk that has gone half a shell from its list's centre needs a new one.
 class Lists {
@@ -82,7 +77,15 @@ class Lists {
   void look_around(Index k, bool both_ways);
   [[nodiscard]] bool near_wall(Index k) const noexcept;
   void clear(Index k);
-  void add(Index k, Neighbour neighbour);
+  void add(Index k, Neighbour neighbour) {
+    List& list = lists_[k];
+    if (list.count < List::kRoom && (list.traits & List::kLong) == 0 && neighbour.image == Image{}) {
+      list.near[list.count++] = neighbour.disk;
+    } else {
+      add_to_long(k, neighbour);
+    }
+  }
+  void add_to_long(Index k, Neighbour neighbour);
   void lengthen(Index k);
   void drop(Index k, Index disk);
 
@@ -102,7 +105,8 @@ class Lists {
     double largest_radius = 0;
     Grid grid;
   };
-  double smallest_radius_;
+  double smallest_radius_ = 0;
+  bool one_radius_ = true;
   std::vector<Level> levels_;
   Array<Index> following_;
 };

@@ -4,20 +4,25 @@
 #include <atomic>
 
 #include "carom/base/simd.hpp"
+#include "carom/window/solver.hpp"
 #include "workspace.hpp"
 
 namespace carom::fast {
 
-/// Predicts the first event of every disk and fills the calendar, then processes the events before `until`.
-/// Returns false if it stopped because `interrupt` became true. Called again, it goes on where it was.
-using ProcessEvents = bool (*)(Workspace& work, double until, const std::atomic<bool>& interrupt);
+struct Loops {
+  /// Predicts the first event of every disk and fills the calendar, then processes the events before `until`.
+  /// Returns false if it stopped because `interrupt` became true. Called again, it goes on where it was.
+  bool (*process_events)(Workspace& work, double until, const std::atomic<bool>& interrupt) = nullptr;
+  /// At the window's end, with all disks at one time: notes in the books how far they overlap.
+  void (*note_overlaps)(Workspace& work) = nullptr;
+};
 
-/// The loop for these instructions; null if it was not compiled.
-ProcessEvents process_events_with(Simd simd) noexcept;
+/// The loops for these instructions. `one_kind`: all disks have one radius and one mass.
+Loops loops_for(Simd simd, Neighbourhood neighbourhood, bool one_kind) noexcept;
 
-/// The loop without vector instructions: the prediction of carom/predict/contact.hpp itself.
-bool process_events_scalar(Workspace& work, double until, const std::atomic<bool>& interrupt);
-/// Null where this build has no such loop.
-ProcessEvents process_events_vector(Simd simd) noexcept;
+/// Those without vector instructions: the prediction is that of carom/predict/contact.hpp itself.
+Loops scalar_loops(Neighbourhood neighbourhood, bool one_kind) noexcept;
+/// Null where this build has none.
+Loops vector_loops(Simd simd, Neighbourhood neighbourhood, bool one_kind) noexcept;
 
 }  // namespace carom::fast

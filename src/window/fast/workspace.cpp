@@ -78,6 +78,7 @@ bool Workspace::continues(const State& start) const noexcept {
 void Workspace::load(const State& start) {
   const std::vector<DiskId> order = in_spatial_order(start.disks, extent_of(start.disks));
   lists.reset();
+  cells.reset();
   ids.assign(order.begin(), order.end());
   records.resize(order.size());
   virial.resize(order.size());
@@ -106,7 +107,7 @@ void Workspace::load(const State& start) {
   }
   rate_ = 0;
   renewals_ = 0;
-  build_lists();
+  find_neighbours();
 }
 
 Extent Workspace::extent() const noexcept {
@@ -147,10 +148,39 @@ double Workspace::default_shell(const Extent& extent) const noexcept {
   return std::clamp(reach - diameter, 0.1 * diameter, 8 * diameter);
 }
 
-void Workspace::build_lists() {
-  constexpr double kTooMany = 20;
+void Workspace::find_neighbours() {
   const Extent range = extent();
   const double slack = rounding_slack(range);
+  if (chooses_cells(slack)) {
+    cells = std::make_unique<Cells>(system, options_.cell_size > 0 ? options_.cell_size : default_cell_size(range),
+                                    slack, records, ids);
+  } else {
+    build_lists(range, slack);
+  }
+}
+
+/// Cells where the largest disk leaves them narrow enough for the smallest, and the box is made for them.
+bool Workspace::chooses_cells(double slack) const {
+  if (!Cells::fit(system, 2 * slack)) return false;
+  if (options_.neighbourhood) return *options_.neighbourhood == Neighbourhood::cells;
+  double smallest = predict::kNever;
+  double largest = 0;
+  for (const Record& own : records) {
+    smallest = std::min(smallest, own.radius);
+    largest = std::max(largest, own.radius);
+  }
+  return largest <= 2.5 * smallest;
+}
+
+/// So wide that a cell holds about kDisks disks.
+double Workspace::default_cell_size(const Extent& /*extent*/) const noexcept {
+  constexpr double kDisks = 1.2;
+  const Box& box = system.box;
+  return std::sqrt(kDisks * box.size.x / static_cast<double>(records.size()) * box.size.y);
+}
+
+void Workspace::build_lists(const Extent& range, double slack) {
+  constexpr double kTooMany = 20;
   const double least = 4 * slack;
   double shell = std::max(options_.shell > 0 ? options_.shell : default_shell(range), least);
   lists = std::make_unique<Lists>(system, range, shell, slack, records, ids);
@@ -185,7 +215,7 @@ Contact Workspace::earliest_contact(Index k) const {
     if (candidate.time < best.time || (candidate.time == best.time && candidate.key < best.key)) best = candidate;
   };
   const Record& own = records[k];
-  lists->for_neighbours(k, [&](const Neighbour& neighbour) {
+  for_neighbours(k, [&](const Neighbour& neighbour) {
     const Record& other = records[neighbour.disk];
     const bool first = ids[k] < ids[neighbour.disk];
     const Record& i = first ? own : other;
@@ -196,7 +226,7 @@ Contact Workspace::earliest_contact(Index k) const {
     const DiskId id_j = first ? ids[neighbour.disk] : ids[k];
     consider({time, neighbour.disk, {true, id_i, id_j, neighbour.image}});
   });
-  if (((*lists)[k].traits & List::kNearWall) == 0) return best;
+  if (!may_meet_wall(k)) return best;
   for (const Wall wall : {Wall::left, Wall::right, Wall::bottom, Wall::top}) {
     if (!system.box.reflecting(axis_of(wall))) continue;
     const double time = contact_of_disk_and_wall(own.flight(), own.radius, wall, system.box.size);
@@ -205,11 +235,21 @@ Contact Workspace::earliest_contact(Index k) const {
   return best;
 }
 
+Nearest Workspace::settled_contact(Index k) {
+  const Contact contact = earliest_contact(k);
+  if (cells) {
+    cells->set_partner_image(k, contact.key.image);
+  } else if (((*lists)[k].traits & List::kLong) != 0) {
+    lists->set_partner_image(k, contact.key.image);
+  }
+  return {contact.time, contact.partner, false};
+}
+
 EventKey Workspace::key_of(Index k) const {
   const Index partner = records[k].partner;
   if (is_wall_partner(partner)) return {true, ids[k], id_of(wall_of_partner(partner)), {}};
   if (partner < 0) return {};
-  return {true, std::min(ids[k], ids[partner]), std::max(ids[k], ids[partner]), lists->partner_image(k)};
+  return {true, std::min(ids[k], ids[partner]), std::max(ids[k], ids[partner]), partner_image(k)};
 }
 
 Image Workspace::fold(Index k) {
@@ -263,7 +303,7 @@ double Workspace::restitution_at(double time, double last, double restitution) n
   return 1;
 }
 
-bool Workspace::collide_with_wall(Index k, double time) {
+Image Workspace::collide_with_wall(Index k, double time) {
   Record& own = records[k];
   const Wall wall = wall_of_partner(own.partner);
   const int axis = axis_of(wall);
@@ -272,7 +312,7 @@ bool Workspace::collide_with_wall(Index k, double time) {
   own.x = place.x;
   own.y = place.y;
   own.t = time;
-  const bool folded = fold(k) != Image{};
+  const Image turns = fold(k);
 
   double restitution = system.physics.wall_restitution;
   if (!last_contact.empty()) {
@@ -290,7 +330,7 @@ bool Workspace::collide_with_wall(Index k, double time) {
   const Vec2 position{own.x, own.y};
   note_overlap(overlap_with_wall(position, own.radius, wall, system.box.size));
   if (log != nullptr) log->push_back(row_of_wall(time, generation, ids[k], wall, position, own.radius, impulse));
-  return folded;
+  return turns;
 }
 
 void Workspace::read(double time, Frame& frame) const {
@@ -343,7 +383,7 @@ void Workspace::close(State& next) {
     next.last_contact.clear();
     return;
   }
-  std::vector<Index> folded;
+  std::vector<std::pair<Index, Image>> folded;
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
     Record& own = records[k];
     const Vec2 place = predict::position_at(own.flight(), length);
@@ -351,9 +391,16 @@ void Workspace::close(State& next) {
     own.y = place.y;
     own.t = 0;
     own.events = 0;
-    if (fold(k) != Image{}) folded.push_back(k);
+    const Image turns = fold(k);
+    if (turns != Image{}) folded.emplace_back(k, turns);
   }
-  for (const Index k : folded) renew_list(k, 0);
+  for (const auto& [k, turns] : folded) {
+    if (cells) {
+      cells->fold(k, turns);
+    } else {
+      renew_list(k, 0);
+    }
+  }
   for (double& time : last_contact) time -= length;
 
   next.disks.resize(records.size());
@@ -372,29 +419,27 @@ void Workspace::close(State& next) {
     next.disks.winding_x[ids[k]] += turns.first;
     next.disks.winding_y[ids[k]] += turns.second;
   }
-  note_overlaps();
   rate_ = static_cast<double>(calendar.pushed()) / length;
   closed_ = true;
 }
 
-/// No pair may overlap at a window's end and no disk reach past a wall: a missed collision would show here.
-void Workspace::note_overlaps() {
+void Workspace::note_overlaps_of(Index k) {
+  const Record& own = records[k];
   const Vec2 size = system.box.size;
-  for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
-    const Record& own = records[k];
-    lists->for_neighbours(k, [&](const Neighbour& neighbour) {
-      if (ids[k] > ids[neighbour.disk]) return;
-      const Record& other = records[neighbour.disk];
-      const Vec2 shift = shift_of(neighbour.image, size);
-      const Vec2 r{(other.x + shift.x) - own.x, (other.y + shift.y) - own.y};
-      const double sigma = own.radius + other.radius;
-      if (dot(r, r) < sigma * sigma) note_overlap((sigma - carom::length(r)) / sigma);
-    });
-    if (((*lists)[k].traits & List::kNearWall) == 0) continue;
-    for (const Wall wall : {Wall::left, Wall::right, Wall::bottom, Wall::top}) {
-      if (!system.box.reflecting(axis_of(wall))) continue;
-      note_overlap(overlap_with_wall({own.x, own.y}, own.radius, wall, size));
-    }
+  for_neighbours(k, [&](const Neighbour& neighbour) {
+    const Record& other = records[neighbour.disk];
+    const bool first = ids[k] < ids[neighbour.disk];
+    const Record& i = first ? own : other;
+    const Record& j = first ? other : own;
+    const Vec2 shift = shift_of(neighbour.image, size);
+    const Vec2 r{(j.x + shift.x) - i.x, (j.y + shift.y) - i.y};
+    const double sigma = i.radius + j.radius;
+    if (dot(r, r) < sigma * sigma) note_overlap((sigma - carom::length(r)) / sigma);
+  });
+  if (!may_meet_wall(k)) return;
+  for (const Wall wall : {Wall::left, Wall::right, Wall::bottom, Wall::top}) {
+    if (!system.box.reflecting(axis_of(wall))) continue;
+    note_overlap(overlap_with_wall({own.x, own.y}, own.radius, wall, size));
   }
 }
 

@@ -12,7 +12,9 @@
 #include "carom/state/state.hpp"
 #include "carom/window/books.hpp"
 #include "carom/window/solver.hpp"
+#include "cells.hpp"
 #include "huge_pages.hpp"
+#include "kernel_scalar.hpp"
 #include "lists.hpp"
 #include "record.hpp"
 
@@ -56,9 +58,10 @@ class Workspace {
   Index first_unpredicted = 0;
   Array<Record> records;
   Array<DiskId> ids;
-  Array<double> virial;        // Σ ½ |J| σ of each disk, from the books on
-  Array<double> last_contact;  // of each disk (time); empty in elastic systems
-  std::unique_ptr<Lists> lists;
+  Array<double> virial;          // Σ ½ |J| σ of each disk, from the books on
+  Array<double> last_contact;    // of each disk (time); empty in elastic systems
+  std::unique_ptr<Lists> lists;  // one of the two
+  std::unique_ptr<Cells> cells;
   Calendar calendar;
   double least_distance_squared = predict::kNever;  // at any contact, where there is one kind of disk
   Books* books = nullptr;
@@ -69,6 +72,10 @@ class Workspace {
 
   /// The earliest contact of disk k with anything in its list, of whatever kind the list is.
   [[nodiscard]] Contact earliest_contact(Index k) const;
+  /// The same, noted with its image where the disk's neighbours are kept.
+  Nearest settled_contact(Index k);
+  /// The image of the partner in disk k's next event.
+  [[nodiscard]] Image partner_image(Index k) const { return cells ? cells->partner_image(k) : lists->partner_image(k); }
   /// Of disk k's next event.
   [[nodiscard]] EventKey key_of(Index k) const;
   /// Empties the calendar and fits its buckets to the events predicted for this window or counted in the last.
@@ -81,8 +88,10 @@ class Workspace {
   std::uint32_t next_generation(Index i, Index j, double time);
   /// The TC rule.
   double restitution_at(double time, double last, double restitution) noexcept;
-  /// Returns true if the disk crossed a seam on its way.
-  bool collide_with_wall(Index k, double time);
+  /// Returns how many periods were taken off the disk's position.
+  Image collide_with_wall(Index k, double time);
+  /// No pair may overlap at a window's end and no disk reach past a wall: a missed collision would show here.
+  void note_overlaps_of(Index k);
   void note_overlap(double overlap) noexcept { books->largest_overlap = std::max(books->largest_overlap, overlap); }
   [[nodiscard]] double mass(Index k) const noexcept { return system.mass(ids[k]); }
 
@@ -91,12 +100,26 @@ class Workspace {
 
   [[nodiscard]] bool continues(const State& start) const noexcept;
   void load(const State& start);
-  void build_lists();
+  void find_neighbours();
+  void build_lists(const Extent& range, double slack);
+  [[nodiscard]] double default_cell_size(const Extent& extent) const noexcept;
+  [[nodiscard]] bool chooses_cells(double slack) const;
+  template <class Visit>
+  void for_neighbours(Index k, Visit visit) const {
+    if (cells) {
+      cells->for_neighbours(k, visit);
+    } else {
+      lists->for_neighbours(k, visit);
+    }
+  }
+  [[nodiscard]] bool may_meet_wall(Index k) const noexcept {
+    return system.box.has_walls() &&
+           (cells ? ((*cells)[k].traits & Place::kAtBorder) != 0 : ((*lists)[k].traits & List::kNearWall) != 0);
+  }
   [[nodiscard]] Extent extent() const noexcept;
   [[nodiscard]] double rounding_slack(const Extent& extent) const noexcept;
   [[nodiscard]] double default_shell(const Extent& extent) const noexcept;
   [[nodiscard]] std::uint32_t generation_before(Index k, double time) const noexcept;
-  void note_overlaps();
 
   SolverOptions options_;
   const State* start_ = nullptr;

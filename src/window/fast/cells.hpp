@@ -1,0 +1,140 @@
+// A grid of cells at least one contact distance wide: whom a disk can meet before it crosses into another cell is in
+// the nine cells around it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "carom/state/system.hpp"
+#include "carom/window/collision.hpp"
+#include "huge_pages.hpp"
+#include "neighbour.hpp"
+#include "record.hpp"
+
+namespace carom::fast {
+
+/// Where a disk is in the grid, and its earliest contact; its record's event is that or a crossing before it.
+struct alignas(32) Place {
+  static constexpr std::uint8_t kPlain = 0;
+  static constexpr std::uint8_t kAtBorder = 1;   ///< in an outermost cell
+  static constexpr std::uint8_t kElsewhere = 2;  ///< has flown over a seam: its stored position is in another copy
+  static constexpr std::uint8_t kHasImage = 4;   ///< its next contact is with a copy
+
+  double contact;                ///< time of its earliest known contact; kNever if there is none (time)
+  Index partner;                 ///< with whom
+  std::uint32_t partner_events;  ///< the partner's contacts in this window when that was predicted
+  std::int32_t column, row;
+  std::uint8_t traits;
+  std::uint8_t exit;  ///< through which side it leaves the cell: as Wall
+};
+static_assert(sizeof(Place) == 32);
+
+class Cells {
+ public:
+  static constexpr int kSlots = 5;
+  static constexpr Index kEmpty = -1;
+  /// Set in a slot whose disk needs a closer look: it is elsewhere, or its cell has more disks than slots.
+  static constexpr Index kMarked = 1 << 30;
+
+  /// Whether a grid like this can serve the system.
+  static bool fit(const System& system, double slack);
+
+  /// Cells of at least `width`.
+  Cells(const System& system, double width, double slack, const Array<Record>& records, const Array<DiskId>& ids);
+
+  [[nodiscard]] Place& operator[](Index k) noexcept { return places_[k]; }
+  [[nodiscard]] const Place& operator[](Index k) const noexcept { return places_[k]; }
+
+  /// Slots of a cell. Those of the next column follow; those of the next row come row_stride() later.
+  [[nodiscard]] const Index* slots(std::int32_t column, std::int32_t row) const noexcept {
+    return slots_.data() + (static_cast<std::ptrdiff_t>(row) * columns_ + column) * kSlots;
+  }
+  [[nodiscard]] std::ptrdiff_t row_stride() const noexcept { return static_cast<std::ptrdiff_t>(columns_) * kSlots; }
+  [[nodiscard]] Vec2 width() const noexcept { return width_; }
+  [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
+  [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
+
+  /// Calls visit(Neighbour) for every other disk in the nine cells around disk k.
+  template <class Visit>
+  void for_neighbours(Index k, Visit visit) const {
+    const Place& place = places_[k];
+    const Image turns_k = turns(k);
+    for (int b = -1; b <= 1; ++b) {
+      for (int a = -1; a <= 1; ++a) {
+        std::int32_t column = place.column + a;
+        std::int32_t row = place.row + b;
+        Image seam;
+        if (!step_over(column, columns_, 0, seam.x) || !step_over(row, rows_, 1, seam.y)) continue;
+        for_disks_in(column, row, [&](Index other) {
+          if (other == k) return;
+          const Image turns_other = turns(other);
+          Image image{seam.x + turns_k.x - turns_other.x, seam.y + turns_k.y - turns_other.y};
+          if (image != Image{} && ids_[other] < ids_[k]) image = {-image.x, -image.y};
+          visit(Neighbour{other, image});
+        });
+      }
+    }
+  }
+
+  /// How many periods the disk's stored position is away from its place in the grid.
+  [[nodiscard]] Image turns(Index k) const noexcept {
+    return (places_[k].traits & Place::kElsewhere) == 0 ? Image{} : turns_.at(k);
+  }
+  [[nodiscard]] Image partner_image(Index k) const noexcept {
+    return (places_[k].traits & Place::kHasImage) == 0 ? Image{} : partner_images_.at(k);
+  }
+  void set_partner_image(Index k, Image image);
+
+  /// The time at which disk k leaves its cell; sets its `exit`.
+  double crossing_of_any(Index k);
+  /// Takes disk k into the cell beyond its exit.
+  void cross(Index k);
+  /// The disk's stored position has been folded into the box by so many periods; its place in the grid is the same.
+  void fold(Index k, Image turns);
+
+ private:
+  [[nodiscard]] std::ptrdiff_t cell_of(Index k) const noexcept {
+    return static_cast<std::ptrdiff_t>(places_[k].row) * columns_ + places_[k].column;
+  }
+  bool step_over(std::int32_t& cell, std::int32_t count, int axis, std::int32_t& seam) const noexcept {
+    if (cell >= 0 && cell < count) return true;
+    if (!box_.periodic(axis)) return false;
+    seam = cell < 0 ? -1 : 1;
+    cell -= seam * count;
+    return true;
+  }
+  template <class Visit>
+  void for_disks_in(std::int32_t column, std::int32_t row, Visit visit) const {
+    const Index* cell = slots(column, row);
+    int taken = 0;
+    for (int m = 0; m < kSlots; ++m) {
+      if (cell[m] < 0) continue;
+      visit(cell[m] & ~kMarked);
+      ++taken;
+    }
+    if (taken < kSlots || surplus_.empty()) return;
+    const auto found = surplus_.find(static_cast<std::ptrdiff_t>(row) * columns_ + column);
+    if (found == surplus_.end()) return;
+    for (const Index disk : found->second) visit(disk);
+  }
+  void set_turns(Index k, Image turns);
+  void set_border(Index k) noexcept;
+  void insert(Index k);
+  void remove(Index k);
+  void mark(std::ptrdiff_t cell) noexcept;
+
+  const Box& box_;
+  const Array<Record>& records_;
+  const Array<DiskId>& ids_;
+  std::int32_t columns_ = 0, rows_ = 0;
+  Vec2 width_;
+  Array<Index> slots_;
+  Array<Place> places_;
+  std::unordered_map<std::ptrdiff_t, std::vector<Index>> surplus_;  // disks that found no slot in their cell
+  std::unordered_map<Index, Image> turns_;
+  std::unordered_map<Index, Image> partner_images_;
+};
+
+}  // namespace carom::fast

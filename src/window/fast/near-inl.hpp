@@ -1,0 +1,202 @@
+// How the events' loop finds whom a disk can meet: from lists, or from a grid of cells. Included by events-inl.hpp.
+//
+// Both answer the same questions:
+//   gather        the disks that a disk can meet, if none of them needs a closer look
+//   note          what was found goes into the disk's record, or the grid event that comes before it
+//   grid_event    the disk leaves the place where its neighbours were looked for
+//   folded        the disk's stored position was folded into the box
+
+CAROM_BEGIN
+namespace carom::fast::CAROM_TARGET {
+
+/// Disks near a disk, with room for what vector stores write beyond the last.
+struct Candidates {
+  alignas(64) std::array<Index, 80> disks;
+  int size = 0;
+};
+
+template <class Kernel, bool kOneKind>
+class NearFromLists {
+ public:
+  explicit NearFromLists(Workspace& work)
+      : work_(work),
+        records_(work.records.data()),
+        lists_(*work.lists),
+        length_(work.length),
+        leash_squared_(lists_.leash_squared()) {}
+
+  CAROM_INLINE bool gather(Index k, Candidates& near) const {
+    const List& list = lists_[k];
+    std::copy(list.near.begin(), list.near.end(), near.disks.begin());
+    near.size = list.count;
+    Kernel::pad(k, near.disks.data(), List::kRoom);
+    return list.traits == 0;
+  }
+
+  [[nodiscard]] std::uint32_t partner_events(Index k) const { return lists_[k].partner_events; }
+
+  CAROM_INLINE void note(Index k, Nearest nearest) {
+    Record& own = records_[k];
+    List& list = lists_[k];
+    const double leaves = leaves_list(own, list, nearest.time);
+    if (leaves <= nearest.time) nearest = {leaves, kGridEvent, false};
+    if (!(nearest.time < length_)) nearest = {predict::kNever, kNobody, false};
+    own.next = nearest.time;
+    own.partner = nearest.partner;
+    if (nearest.partner >= 0) list.partner_events = records_[nearest.partner].events;
+  }
+
+  /// Returns false: the disk's contacts have to be looked for anew.
+  bool grid_event(Index k, double time) {
+    work_.renew_list(k, time);
+    return false;
+  }
+
+  void folded(Index k, Image /*turns*/, double time) { work_.renew_list(k, time); }
+
+  void prefetch(Index k) const { __builtin_prefetch(&lists_[k]); }
+  void prefetch_around(Index /*k*/) const {}
+
+ private:
+  /// When the disk has gone as far from its list's centre as it may; kNever if not before `time` or the window's end.
+  CAROM_INLINE double leaves_list(const Record& own, const List& list, double time) const {
+    const double limit = (time < length_ ? time : length_) - own.t;
+    const double ex = own.x - list.x;
+    const double ey = own.y - list.y;
+    const double px = ex + own.vx * limit;
+    const double py = ey + own.vy * limit;
+    if (px * px + py * py < leash_squared_) return predict::kNever;
+    const double v_squared = own.vx * own.vx + own.vy * own.vy;
+    if (!(v_squared > 0)) return predict::kNever;
+    const double b = ex * own.vx + ey * own.vy;
+    const double c = leash_squared_ - (ex * ex + ey * ey);
+    if (c <= 0 && b >= 0) return own.t;
+    const double root = std::sqrt(std::max(b * b + v_squared * c, 0.0));
+    return own.t + (b > 0 ? c / (b + root) : (root - b) / v_squared);
+  }
+
+  Workspace& work_;
+  Record* records_;
+  Lists& lists_;
+  const double length_;
+  const double leash_squared_;
+};
+
+template <class Kernel, bool kOneKind>
+class NearFromCells {
+ public:
+  explicit NearFromCells(Workspace& work)
+      : work_(work),
+        records_(work.records.data()),
+        cells_(*work.cells),
+        length_(work.length),
+        width_(cells_.width()),
+        row_stride_(cells_.row_stride()) {}
+
+  /// From the nine cells around the disk.
+  CAROM_INLINE bool gather(Index k, Candidates& near) {
+    Place& place = cells_[k];
+    near.size = 0;
+    if (is_special(place)) return false;
+    if (place.traits != Place::kPlain) place.traits = Place::kPlain;  // what it meets next is no image
+    const Index* row = cells_.slots(place.column - 1, place.row - 1);
+    bool plain = true;
+    for (int b = 0; b < 3; ++b, row += row_stride_) {
+      plain &= Kernel::template collect<3 * Cells::kSlots>(row, k, near.disks.data(), near.size);
+    }
+    Kernel::pad(k, near.disks.data(), near.size);
+    return plain;
+  }
+
+  [[nodiscard]] std::uint32_t partner_events(Index k) const { return cells_[k].partner_events; }
+
+  CAROM_INLINE void note(Index k, const Nearest& nearest) {
+    Place& place = cells_[k];
+    const bool comes = nearest.time < length_;
+    place.contact = comes ? nearest.time : predict::kNever;
+    place.partner = comes ? nearest.partner : kNobody;
+    if (place.partner >= 0) place.partner_events = records_[place.partner].events;
+    note_first(k, place);
+  }
+
+  /// The disk crosses into the next cell. Whom it meets first is who it was, or somebody in the cells now near.
+  /// Returns false if that has to be looked for anew.
+  CAROM_INLINE bool grid_event(Index k, double /*time*/) {
+    cells_.cross(k);
+    Place& place = cells_[k];
+    if (is_special(place)) return false;
+    Candidates near;
+    const auto exit = static_cast<Wall>(place.exit);
+    const bool sideways = exit == Wall::left || exit == Wall::right;
+    const std::int32_t ahead = exit == Wall::right || exit == Wall::top ? 1 : -1;
+    const Index* cell = sideways ? cells_.slots(place.column + ahead, place.row - 1)
+                                 : cells_.slots(place.column - 1, place.row + ahead);
+    const std::ptrdiff_t step = sideways ? row_stride_ : Cells::kSlots;
+    bool plain = true;
+    for (int m = 0; m < 3; ++m, cell += step) {
+      plain &= Kernel::template collect<Cells::kSlots>(cell, k, near.disks.data(), near.size);
+    }
+    if (!plain) return false;
+    Kernel::pad(k, near.disks.data(), near.size);
+    const Nearest nearest = Kernel::template nearest<kOneKind>(records_, k, near.disks.data(), near.size);
+    if (nearest.time < place.contact) {
+      if (nearest.tied) return false;
+      cells_.set_partner_image(k, {});
+      note(k, nearest);
+      return true;
+    }
+    if (nearest.time == place.contact && nearest.time < predict::kNever) return false;
+    note_first(k, place);
+    return true;
+  }
+
+  void folded(Index k, Image turns, double /*time*/) { cells_.fold(k, turns); }
+
+  void prefetch(Index k) const { __builtin_prefetch(&cells_[k]); }
+  void prefetch_around(Index k) const {
+    const Place& place = cells_[k];
+    if (is_special(place)) return;
+    const Index* row = cells_.slots(place.column - 1, place.row - 1);
+    for (int b = 0; b < 3; ++b, row += row_stride_) __builtin_prefetch(row);
+  }
+
+ private:
+  static bool is_special(const Place& place) noexcept {
+    return (place.traits & (Place::kAtBorder | Place::kElsewhere)) != 0;
+  }
+
+  /// The crossing or the contact, whichever comes first, goes into the record.
+  CAROM_INLINE void note_first(Index k, Place& place) {
+    Record& own = records_[k];
+    const double crosses = is_special(place) ? cells_.crossing_of_any(k) : crossing(own, place);
+    const bool first = crosses <= place.contact;
+    const double next = first ? crosses : place.contact;
+    const bool comes = next < length_;
+    own.next = comes ? next : predict::kNever;
+    own.partner = comes ? (first ? kGridEvent : place.partner) : kNobody;
+  }
+
+  /// When and where the disk leaves its cell, which lies inside the grid.
+  CAROM_INLINE double crossing(const Record& own, Place& place) const {
+    const bool right = own.vx > 0;
+    const bool up = own.vy > 0;
+    const double side = width_.x * (place.column + (right ? 1 : 0));
+    const double top = width_.y * (place.row + (up ? 1 : 0));
+    const double through_side = own.vx != 0 ? (side - own.x) / own.vx : predict::kNever;
+    const double through_top = own.vy != 0 ? (top - own.y) / own.vy : predict::kNever;
+    const bool sideways = through_side <= through_top;
+    place.exit =
+        static_cast<std::uint8_t>(sideways ? (right ? Wall::right : Wall::left) : (up ? Wall::top : Wall::bottom));
+    return own.t + (sideways ? through_side : through_top);
+  }
+
+  Workspace& work_;
+  Record* records_;
+  Cells& cells_;
+  const double length_;
+  const Vec2 width_;
+  const std::ptrdiff_t row_stride_;
+};
+
+}  // namespace carom::fast::CAROM_TARGET
+CAROM_END
