@@ -3,39 +3,37 @@
 namespace carom::fast {
 namespace {
 
+constexpr std::size_t kFew = 8;
+
 bool comes_later(const Due& a, const Due& b) noexcept { return a.time > b.time; }
 
-/// Latest first. Buckets hold a handful: then each event's place is the number of those that are later, counted without
-/// a branch that could be guessed wrong.
-void sort_latest_first(std::vector<Due>& events) {
-  constexpr std::size_t kFew = 12;
-  const std::size_t count = events.size();
-  if (count > kFew) {
-    std::sort(events.begin(), events.end(), comes_later);
-    return;
-  }
+/// Sorts kFew events, latest first: each one's place is the number of those that are later, counted without a branch
+/// that could be guessed wrong.
+void sort_few(Due* events) noexcept {
   std::array<Due, kFew> unsorted;
   std::array<std::uint32_t, kFew> place{};
-  std::copy(events.begin(), events.end(), unsorted.begin());
-  for (std::size_t a = 1; a < count; ++a) {
+  for (std::size_t k = 0; k < kFew; ++k) unsorted[k] = events[k];
+  for (std::size_t a = 1; a < kFew; ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const std::uint32_t later = unsorted[a].time > unsorted[b].time ? 1 : 0;
       place[b] += later;
       place[a] += 1 - later;
     }
   }
-  for (std::size_t k = 0; k < count; ++k) events[place[k]] = unsorted[k];
+  for (std::size_t k = 0; k < kFew; ++k) events[place[k]] = unsorted[k];
 }
 
 }  // namespace
 
 void Calendar::start(double length, double width, std::size_t ring) {
   length_ = length;
+  width_ = width;
   inverse_width_ = 1 / width;
   last_ = std::max(static_cast<std::int64_t>(length * inverse_width_), std::int64_t{1}) - 1;
   ring = std::min(ring, static_cast<std::size_t>(last_ + 1));
   current_ = -1;
   settled_ = -1;
+  due_before_ = -1;
   lap_start_ = 0;
   pushed_ = 0;
   ring_.assign(ring, Bucket{});
@@ -43,13 +41,18 @@ void Calendar::start(double length, double width, std::size_t ring) {
   spilled_.clear();
   free_.clear();
   beyond_.clear();
-  due_.clear();
+  due_.resize(2 * kFew + Bucket::kRoom);
+  count_ = 0;
 }
 
 void Calendar::insert_due(Due event) {
   if (event.time == settled_) settled_ = -1;
-  const auto place = std::upper_bound(due_.begin(), due_.end(), event, comes_later);
-  due_.insert(place, event);
+  if (count_ == due_.size()) due_.resize(2 * count_);
+  const auto end = due_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto place = std::upper_bound(due_.begin(), end, event, comes_later);
+  std::move_backward(place, end, end + 1);
+  *place = event;
+  ++count_;
 }
 
 void Calendar::spill(std::size_t slot) {
@@ -67,18 +70,33 @@ void Calendar::spill(std::size_t slot) {
 }
 
 void Calendar::collect(const Bucket& bucket, std::uint8_t count, const Array<Record>& records) {
-  const std::size_t before = due_.size();
-  due_.resize(before + count);
-  Due* end = due_.data() + before;
+  if (count_ + count + kFew > due_.size()) due_.resize(2 * due_.size() + count);
+  Due* const begin = due_.data() + count_;
+  Due* end = begin;
   for (std::uint8_t k = 0; k < count; ++k) {
     const Index disk = bucket.disks[k];
-    const double time = records[disk].next;
+    const Record& own = records[disk];
+    const double time = own.next;
     *end = {time, disk};
     const bool comes = time < length_;
     const bool now = bucket_of(std::min(time, length_)) == current_;  // kNever fits no integer
-    end += static_cast<int>(comes) & static_cast<int>(now);
+    const Index partner = std::max(own.partner, 0);
+    const Record& other = records[partner];
+    const bool known = (own.partner == partner) & (partner < disk) & (other.partner == disk) & (other.next == time);
+    end += static_cast<int>(comes & now & !known);
   }
-  due_.resize(static_cast<std::size_t>(end - due_.data()));
+  count_ += static_cast<std::size_t>(end - begin);
+}
+
+void Calendar::sort_due() {
+  if (count_ > kFew) {
+    std::sort(due_.begin(), due_.begin() + static_cast<std::ptrdiff_t>(count_), comes_later);
+    return;
+  }
+  for (std::size_t k = 0; k < kFew; ++k) {
+    if (k >= count_) due_[k].time = -1;  // before all others, which is behind them
+  }
+  sort_few(due_.data());
 }
 
 void Calendar::begin_lap(const Array<Record>& records) {
@@ -94,7 +112,6 @@ void Calendar::begin_lap(const Array<Record>& records) {
 }
 
 bool Calendar::turn(const Array<Record>& records) {
-  due_.clear();
   while (current_ < last_) {
     ++current_;
     if (current_ - lap_start_ == static_cast<std::int64_t>(ring_.size())) begin_lap(records);
@@ -110,8 +127,9 @@ bool Calendar::turn(const Array<Record>& records) {
     }
     counts_[slot] = 0;
     bucket.more = 0;
-    if (due_.empty()) continue;
-    sort_latest_first(due_);
+    if (count_ == 0) continue;
+    sort_due();
+    due_before_ = static_cast<double>(current_ + 2) * width_;
     return true;
   }
   return false;

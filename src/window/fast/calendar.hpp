@@ -21,10 +21,14 @@ struct Due {
 /// has another event by now is dropped when its bucket's turn comes, or when it is taken.
 ///
 /// Buckets ahead of the current one stand in a ring; events beyond the ring wait until the ring has gone round once.
+/// A contact that is the next event of both its disks is taken over once when its bucket's turn comes: whoever changes
+/// the event of one of the two from then on must enter the other again (see due_before()).
 class Calendar {
  public:
   /// Empties the calendar for a window of this length, with buckets of this width, `ring` of them at hand.
   void start(double length, double width, std::size_t ring);
+  /// Between windows nothing is due.
+  void stop() noexcept { due_before_ = -1; }
 
   /// Enters the disk's event at `time`, before the window's end.
   void push(Index disk, double time) {
@@ -47,29 +51,40 @@ class Calendar {
     ring_[slot].disks[count++] = disk;
   }
 
-  /// The events of the current bucket, latest first.
-  [[nodiscard]] const std::vector<Due>& due() const noexcept { return due_; }
-  [[nodiscard]] std::vector<Due>& due() noexcept { return due_; }
+  // --- the events of the current bucket ---------------------------------------------------------------------
+
+  [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
+  [[nodiscard]] Due first() const noexcept { return due_[count_ - 1]; }
+  void drop_first() noexcept { --count_; }
+  /// Whether another event comes at the time of the first one.
+  [[nodiscard]] bool is_tied() const noexcept { return count_ > 1 && due_[count_ - 2].time == due_[count_ - 1].time; }
+  /// All of them have earlier times than this.
+  [[nodiscard]] double due_before() const noexcept { return due_before_; }
+  template <class Visit>
+  void for_due(Visit visit) const {
+    for (std::size_t k = 0; k < count_; ++k) visit(due_[k].disk);
+  }
 
   /// Makes the next bucket that holds events the current one, sorts it, and returns true; false at the window's end.
   bool turn(const Array<Record>& records);
 
-  /// Puts the last of the due events, two or more of one time, into the order given by `comes_before(disk, disk)`, and
-  /// drops those out of date. Returns false if nothing had to be done.
+  /// Puts the events of the first one's time into the order given by `comes_before(disk, disk)`, and drops those out of
+  /// date. Returns false if nothing had to be done.
   template <class ComesBefore>
   bool settle_tie(const Array<Record>& records, ComesBefore comes_before) {
-    const double time = due_.back().time;
+    const double time = first().time;
     if (settled_ == time) return false;
-    auto first = due_.end();
-    while (first != due_.begin() && (first - 1)->time == time) --first;
-    due_.erase(std::remove_if(first, due_.end(), [&](const Due& e) { return records[e.disk].next != time; }),
-               due_.end());
-    std::sort(first, due_.end(), [&](const Due& a, const Due& b) { return comes_before(b.disk, a.disk); });
+    const auto end = due_.begin() + static_cast<std::ptrdiff_t>(count_);
+    auto begin = end;
+    while (begin != due_.begin() && (begin - 1)->time == time) --begin;
+    const auto kept = std::remove_if(begin, end, [&](const Due& e) { return records[e.disk].next != time; });
+    std::sort(begin, kept, [&](const Due& a, const Due& b) { return comes_before(b.disk, a.disk); });
+    count_ = static_cast<std::size_t>(kept - due_.begin());
     settled_ = time;
     return true;
   }
 
-  /// Disks of a bucket some turns ahead, for prefetching; at most Bucket::kRoom.
+  /// Disks of a bucket some turns ahead, for prefetching.
   template <class Visit>
   void peek(std::int64_t ahead, Visit visit) const {
     if (current_ + ahead > last_ || ahead >= static_cast<std::int64_t>(ring_.size())) return;
@@ -97,9 +112,10 @@ class Calendar {
   void spill(std::size_t slot);
   void collect(const Bucket& bucket, std::uint8_t count, const Array<Record>& records);
   void begin_lap(const Array<Record>& records);
+  void sort_due();
 
-  double settled_ = -1;  // time of the tie whose events are in order
-  double length_ = 0;    // of the window
+  double length_ = 0;  // of the window
+  double width_ = 0;
   double inverse_width_ = 0;
   std::int64_t last_ = -1;      // bucket of the window
   std::int64_t current_ = -1;   // bucket whose events are due
@@ -110,7 +126,11 @@ class Calendar {
   std::vector<Bucket> spilled_;
   std::vector<std::uint32_t> free_;  // places in spilled_
   std::vector<Index> beyond_;        // disks whose event lies beyond the ring
-  std::vector<Due> due_;
+
+  std::vector<Due> due_;  // the first count_ of them, latest first; the rest is room
+  std::size_t count_ = 0;
+  double due_before_ = -1;
+  double settled_ = -1;  // time of the tie whose events are in order
 };
 
 }  // namespace carom::fast

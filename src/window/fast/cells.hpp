@@ -51,6 +51,9 @@ class Cells {
   [[nodiscard]] const Index* slots(std::int32_t column, std::int32_t row) const noexcept {
     return slots_.data() + (static_cast<std::ptrdiff_t>(row) * columns_ + column) * kSlots;
   }
+  [[nodiscard]] Index* slots(std::int32_t column, std::int32_t row) noexcept {
+    return slots_.data() + (static_cast<std::ptrdiff_t>(row) * columns_ + column) * kSlots;
+  }
   [[nodiscard]] std::ptrdiff_t row_stride() const noexcept { return static_cast<std::ptrdiff_t>(columns_) * kSlots; }
   [[nodiscard]] Vec2 width() const noexcept { return width_; }
   [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }

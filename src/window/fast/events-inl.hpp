@@ -25,6 +25,7 @@ class Events {
 
   bool predict_all(const std::atomic<bool>& interrupt) {
     const Index count = static_cast<Index>(work_.records.size());
+    calendar_.stop();
     for (Index& k = work_.first_unpredicted; k < count; ++k) {
       if (interrupt.load(std::memory_order_relaxed)) return false;
       find_next(k);
@@ -49,41 +50,21 @@ class Events {
   }
 
   bool process(double until, const std::atomic<bool>& interrupt) {
-    std::vector<Due>& due = calendar_.due();
     for (;;) {
-      if (due.empty()) {
+      if (calendar_.empty()) {
         if (!calendar_.turn(work_.records)) return true;
         prefetch();
       }
-      const Due event = due.back();
+      const Due event = calendar_.first();
       if (!(event.time < until)) return true;
       if (interrupt.load(std::memory_order_relaxed)) return false;
-      if (due.size() > 1 && due[due.size() - 2].time == event.time && !is_known_twice(due) && settle_tie()) continue;
-      due.pop_back();
+      if (calendar_.is_tied() && settle_tie()) continue;
+      calendar_.drop_first();
       if (records_[event.disk].next == event.time) process_event(event.disk, event.time);
     }
   }
 
  private:
-  /// Most contacts are the next event of both their disks, and may stand among those due twice. If that is all there is
-  /// at this time, one entry is enough, and true is returned.
-  CAROM_INLINE bool is_known_twice(std::vector<Due>& due) {
-    const std::size_t count = due.size();
-    const Index k = due[count - 1].disk;
-    const Index m = due[count - 2].disk;
-    const double time = due[count - 1].time;
-    if (count > 2 && due[count - 3].time == time) return false;
-    const Record& a = records_[k];
-    const Record& b = records_[m];
-    if (a.next != time || b.next != time || a.partner != m || b.partner != k || b.events != near_.partner_events(k)) {
-      return false;
-    }
-    if (work_.partner_image(k) != work_.partner_image(m)) return false;
-    due[count - 2] = due[count - 1];
-    due.pop_back();
-    return true;
-  }
-
   bool settle_tie() {
     return calendar_.settle_tie(work_.records, [&](Index a, Index b) { return work_.key_of(a) < work_.key_of(b); });
   }
@@ -125,18 +106,32 @@ class Events {
     if (near_.gather(k, near)) {
       note(k, Kernel::template nearest<kOneKind>(records_, k, near.disks.data(), near.size));
     } else {
+      give_up(k);
       near_.note(k, work_.settled_contact(k));
     }
   }
 
   CAROM_INLINE void note(Index k, const Nearest& nearest) {
+    give_up(k);
     near_.note(k, nearest.tied ? work_.settled_contact(k) : nearest);
   }
 
+  /// Before the event of disk k is replaced: its partner, if the calendar counts on k for both, is entered by itself.
+  CAROM_INLINE void give_up(Index k) {
+    const Record& own = records_[k];
+    if (!(own.next < calendar_.due_before()) || own.partner < 0) return;
+    const Record& other = records_[own.partner];
+    if (other.partner == k && other.next == own.next) calendar_.push(own.partner, other.next);
+  }
+
   [[gnu::flatten]] void collide(Index first, Index second, double time) {
-    Index i = first;
-    Index j = second;
-    if (work_.ids[j] < work_.ids[i]) std::swap(i, j);
+    // Without a branch: which id is smaller cannot be guessed.
+    const Index swap = -static_cast<Index>(work_.ids[second] < work_.ids[first]) & (first ^ second);
+    const Index i = first ^ swap;
+    const Index j = second ^ swap;
+    // This event is being taken; it is not one that somebody else counts on.
+    if (records_[second].partner == first && records_[second].next == time) records_[second].next = predict::kNever;
+    records_[first].next = predict::kNever;
     std::uint32_t generation = 0;
     if (records_[i].t == time || records_[j].t == time) generation = work_.next_generation(i, j, time);
 
@@ -262,13 +257,11 @@ class Events {
       __builtin_prefetch(&records_[k]);
       near_.prefetch(k);
     });
-    for (const Due& event : calendar_.due()) {
-      const Index partner = records_[event.disk].partner;
-      near_.prefetch_around(event.disk);
-      if (partner < 0) continue;
-      __builtin_prefetch(&records_[partner]);
+    calendar_.for_due([&](Index k) {
+      const Index partner = std::max(records_[k].partner, 0);
+      near_.prefetch_around(k);
       near_.prefetch(partner);
-    }
+    });
   }
 
   Workspace& work_;

@@ -1,5 +1,8 @@
 // The events' loop without vector instructions.
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 
 #include "kernel_scalar.hpp"

@@ -1,7 +1,10 @@
 // The events' loop for each set of vector instructions; Highway has this file compiled once for every one.
 #include <hwy/detect_compiler_arch.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 
 #include "kernel_scalar.hpp"

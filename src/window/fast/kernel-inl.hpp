@@ -128,7 +128,7 @@ struct VectorKernel {
     best.time = hn::GetLane(hn::MinOfLanes(d, times));
     const Lanes here = hn::Eq(times, hn::Set(d, best.time));
     best.partner = near[hn::FindFirstTrue(d, here)];
-    best.tied = best.time < predict::kNever && hn::CountTrue(d, here) > 1;
+    best.tied = static_cast<int>(best.time < predict::kNever) & static_cast<int>(hn::CountTrue(d, here) > 1);
     return best;
   }
 
@@ -156,20 +156,37 @@ struct VectorKernel {
   /// Returns false if one of them needs a closer look.
   template <int kCount>
   static HWY_INLINE bool collect(const Index* slots, Index k, Index* near, int& size) {
-    constexpr int kWidth = HWY_MIN(HWY_LANES(std::int32_t), kCount <= 8 ? 8 : 16);
+#if HWY_TARGET == HWY_AVX3
+    constexpr int kWidth = kCount <= 8 ? 8 : 16;
     const hn::FixedTag<std::int32_t, kWidth> d;
-    const auto self = hn::Set(d, k);
-    const auto empty = hn::Set(d, Cells::kEmpty);
-    auto largest = empty;
-    for (int first = 0; first < kCount; first += kWidth) {
-      const auto slot = hn::LoadU(d, slots + first);
-      auto taken = hn::And(hn::Gt(slot, empty), hn::Ne(slot, self));
-      if (first + kWidth > kCount) taken = hn::And(taken, hn::FirstN(d, static_cast<std::size_t>(kCount - first)));
-      hn::StoreU(hn::Compress(slot, taken), d, near + size);
-      size += static_cast<int>(hn::CountTrue(d, taken));
-      largest = hn::Max(largest, hn::IfThenElseZero(taken, slot));
+    const auto slot = hn::LoadU(d, slots);
+    const auto taken = hn::And(hn::And(hn::Gt(slot, hn::Set(d, Cells::kEmpty)), hn::Ne(slot, hn::Set(d, k))),
+                               hn::FirstN(d, static_cast<std::size_t>(kCount)));
+    hn::StoreU(hn::Compress(slot, taken), d, near + size);
+    size += static_cast<int>(hn::CountTrue(d, taken));
+    return hn::AllFalse(d, hn::And(taken, hn::Gt(slot, hn::Set(d, Cells::kMarked - 1))));
+#else
+    // There is no instruction for it; one by one without branches is the next best.
+    Index largest = Cells::kEmpty;
+    for (int m = 0; m < kCount; ++m) {
+      near[size] = slots[m];
+      size += static_cast<int>(slots[m] >= 0) & static_cast<int>(slots[m] != k);
+      largest = std::max(largest, slots[m]);
     }
-    return hn::AllFalse(d, hn::Gt(largest, hn::Set(d, Cells::kMarked - 1)));
+    return largest < Cells::kMarked;
+#endif
+  }
+
+  /// The slots of a cell that hold this, one bit each.
+  static HWY_INLINE unsigned slots_with(const Index* slots, Index what) {
+#if HWY_TARGET == HWY_AVX3
+    const hn::FixedTag<std::int32_t, 8> d;
+    std::uint8_t found = 0;
+    hn::StoreMaskBits(d, hn::And(hn::Eq(hn::LoadU(d, slots), hn::Set(d, what)), hn::FirstN(d, Cells::kSlots)), &found);
+    return found;
+#else
+    return ScalarKernel::slots_with(slots, what);
+#endif
   }
 
   static HWY_INLINE void pad(Index k, Index* near, int size) {

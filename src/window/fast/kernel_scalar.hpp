@@ -58,6 +58,13 @@ struct ScalarKernel {
     return plain;
   }
 
+  /// The slots of a cell that hold this, one bit each.
+  static unsigned slots_with(const Index* slots, Index what) noexcept {
+    unsigned found = 0;
+    for (unsigned m = 0; m < Cells::kSlots; ++m) found |= static_cast<unsigned>(slots[m] == what) << m;
+    return found;
+  }
+
   static void pad(Index /*k*/, Index* /*near*/, int /*size*/) noexcept {}
 };
 

@@ -40,10 +40,10 @@ class NearFromLists {
     List& list = lists_[k];
     const double leaves = leaves_list(own, list, nearest.time);
     if (leaves <= nearest.time) nearest = {leaves, kGridEvent, false};
-    if (!(nearest.time < length_)) nearest = {predict::kNever, kNobody, false};
-    own.next = nearest.time;
-    own.partner = nearest.partner;
-    if (nearest.partner >= 0) list.partner_events = records_[nearest.partner].events;
+    const bool comes = nearest.time < length_;
+    own.next = comes ? nearest.time : predict::kNever;
+    own.partner = comes ? nearest.partner : kNobody;
+    list.partner_events = records_[std::max(own.partner, 0)].events;
   }
 
   /// Returns false: the disk's contacts have to be looked for anew.
@@ -115,16 +115,18 @@ class NearFromCells {
     const bool comes = nearest.time < length_;
     place.contact = comes ? nearest.time : predict::kNever;
     place.partner = comes ? nearest.partner : kNobody;
-    if (place.partner >= 0) place.partner_events = records_[place.partner].events;
+    place.partner_events = records_[std::max(place.partner, 0)].events;
     note_first(k, place);
   }
 
   /// The disk crosses into the next cell. Whom it meets first is who it was, or somebody in the cells now near.
   /// Returns false if that has to be looked for anew.
   CAROM_INLINE bool grid_event(Index k, double /*time*/) {
-    cells_.cross(k);
     Place& place = cells_[k];
-    if (is_special(place)) return false;
+    if (is_special(place) || !cross_inside(k, place)) {
+      cells_.cross(k);
+      if (is_special(place)) return false;
+    }
     Candidates near;
     const auto exit = static_cast<Wall>(place.exit);
     const bool sideways = exit == Wall::left || exit == Wall::right;
@@ -174,6 +176,30 @@ class NearFromCells {
     const bool comes = next < length_;
     own.next = comes ? next : predict::kNever;
     own.partner = comes ? (first ? kGridEvent : place.partner) : kNobody;
+  }
+
+  /// The usual crossing: from a cell inside the grid to another, neither of them crowded. Returns false, with nothing
+  /// done, if it is not so.
+  CAROM_INLINE bool cross_inside(Index k, Place& place) {
+    const auto exit = static_cast<std::int32_t>(place.exit);  // left, right, bottom, top
+    const std::int32_t step = 2 * (exit & 1) - 1;
+    const std::int32_t column = place.column + ((exit & 2) == 0 ? step : 0);
+    const std::int32_t row = place.row + ((exit & 2) == 0 ? 0 : step);
+    const bool border = (column == 0) | (column == cells_.columns() - 1) | (row == 0) | (row == cells_.rows() - 1);
+    Index* const from = cells_.slots(place.column, place.row);
+    Index* const to = cells_.slots(column, row);
+    const unsigned here = Kernel::slots_with(from, k);
+    const unsigned empty_there = Kernel::slots_with(to, Cells::kEmpty);
+    const bool crowded = Kernel::slots_with(from, Cells::kEmpty) == 0;
+    if (static_cast<int>(here == 0) | static_cast<int>(empty_there == 0) | static_cast<int>(crowded) |
+        static_cast<int>(border)) {
+      return false;
+    }
+    from[std::countr_zero(here)] = Cells::kEmpty;
+    to[std::countr_zero(empty_there)] = k;
+    place.column = column;
+    place.row = row;
+    return true;
   }
 
   /// When and where the disk leaves its cell, which lies inside the grid.

@@ -1,13 +1,14 @@
 #include "workspace.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
 namespace carom::fast {
 namespace {
 
-constexpr double kEventsPerBucket = 6;
+constexpr double kEventsPerBucket = 9;
 
 /// Bits of a number below 2¹⁶, one apart.
 std::uint32_t spread_bits(std::uint32_t number) noexcept {
@@ -205,7 +206,7 @@ void Workspace::start_calendar() {
     width = kEventsPerBucket / rate;
   }
   width = std::max(width, length / (32 * count + 1024));
-  calendar.start(length, width, static_cast<std::size_t>(0.4 * count) + 64);
+  calendar.start(length, width, static_cast<std::size_t>(0.5 * count) + 64);
 }
 
 Contact Workspace::earliest_contact(Index k) const {
