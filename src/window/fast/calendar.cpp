@@ -1,5 +1,7 @@
 #include "calendar.hpp"
 
+#include <utility>
+
 namespace carom::fast {
 namespace {
 
@@ -13,13 +15,19 @@ void sort_few(Due* events) noexcept {
   std::array<Due, kFew> unsorted;
   std::array<std::uint32_t, kFew> place{};
   for (std::size_t k = 0; k < kFew; ++k) unsorted[k] = events[k];
-  for (std::size_t a = 1; a < kFew; ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      const std::uint32_t later = unsorted[a].time > unsorted[b].time ? 1 : 0;
-      place[b] += later;
-      place[a] += 1 - later;
-    }
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    const std::uint32_t later = unsorted[a].time > unsorted[b].time ? 1 : 0;
+    place[b] += later;
+    place[a] += 1 - later;
+  };
+  const auto compare_with_those_before = [&]<std::size_t a, std::size_t... b>(std::index_sequence<a>,
+                                                                              std::index_sequence<b...>) {
+    (compare(a, b), ...);
+  };
+  [&]<std::size_t... a>(std::index_sequence<a...>) {
+    (compare_with_those_before(std::index_sequence<a>{}, std::make_index_sequence<a>{}), ...);
   }
+  (std::make_index_sequence<kFew>{});
   for (std::size_t k = 0; k < kFew; ++k) events[place[k]] = unsorted[k];
 }
 

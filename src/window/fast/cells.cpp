@@ -12,7 +12,7 @@ constexpr double kFewestCells = 4;
 
 double largest_diameter(const System& system) noexcept {
   double radius = 0;
-  for (std::size_t k = 0; k < system.size(); ++k) radius = std::max(radius, system.radius(k));
+  for (const Species& kind : system.species) radius = std::max(radius, kind.radius);
   return 2 * radius;
 }
 
@@ -22,15 +22,15 @@ bool Cells::fit(const System& system, double slack) {
   const Box& box = system.box;
   if (box.boundary[0] == Boundary::open || box.boundary[1] == Boundary::open) return false;
   const double least = largest_diameter(system) + slack;
-  return std::min(box.size.x, box.size.y) >= kFewestCells * least && system.size() < static_cast<std::size_t>(kMarked);
+  return std::min(box.size.x, box.size.y) >= kFewestCells * least &&
+         system.size() < static_cast<std::size_t>(Slot::kMostDisks);
 }
 
 Cells::Cells(const System& system, double width, double slack, const Array<Record>& records, const Array<DiskId>& ids)
     : box_(system.box), records_(records), ids_(ids) {
   const double least = largest_diameter(system) + slack;
   const double most = 8 * static_cast<double>(records.size()) + 64;
-  width = std::max(width, least);
-  width = std::max(width, std::sqrt(box_.size.x / most * box_.size.y));
+  width = std::max({width, least, std::sqrt(box_.size.x / most * box_.size.y)});
   const auto cells_along = [&](double size) {
     return static_cast<std::int32_t>(std::clamp(std::floor(size / width), kFewestCells, most));
   };
@@ -38,73 +38,89 @@ Cells::Cells(const System& system, double width, double slack, const Array<Recor
   rows_ = cells_along(box_.size.y);
   width_ = {box_.size.x / columns_, box_.size.y / rows_};
   // A row's three cells are read with one load that may reach beyond them.
-  slots_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kSlots + 16, kEmpty);
+  slots_.assign(static_cast<std::size_t>(number_of(columns_, rows_) + 1) * kSlots + 16, Slot::kEmpty);
   places_.resize(records.size());
   const auto cell_at = [](double x, double cell_width, std::int32_t count) {
-    return std::clamp(static_cast<std::int32_t>(x / cell_width), 0, count - 1);
+    return static_cast<std::int32_t>(std::clamp(x / cell_width, 0.0, static_cast<double>(count - 1)));
   };
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
     places_[k] = {
         predict::kNever, kNobody, 0, cell_at(records[k].x, width_.x, columns_), cell_at(records[k].y, width_.y, rows_),
         Place::kPlain,   0};
-    set_border(k);
+    note_walls(k);
     insert(k);
   }
 }
 
-void Cells::set_border(Index k) noexcept {
+void Cells::note_walls(Index k) noexcept {
+  if (!box_.has_walls()) return;
   Place& place = places_[k];
-  const bool inside = place.column > 0 && place.column < columns_ - 1 && place.row > 0 && place.row < rows_ - 1;
-  place.traits = static_cast<std::uint8_t>((place.traits & ~Place::kAtBorder) | (inside ? 0 : Place::kAtBorder));
+  const bool near = (box_.reflecting(0) && (place.column == 0 || place.column == columns_ - 1)) ||
+                    (box_.reflecting(1) && (place.row == 0 || place.row == rows_ - 1));
+  place.traits = static_cast<std::uint8_t>((place.traits & ~Place::kNearWall) | (near ? Place::kNearWall : 0));
+}
+
+/// Writes disk k, or Slot::kEmpty, into a slot of a cell and of the copies of that cell in the border.
+void Cells::write_slot(std::int32_t column, std::int32_t row, unsigned slot, Index k, bool crowded) noexcept {
+  const Image turned = k >= 0 ? turns(k) : Image{};
+  const auto write = [&](std::int32_t sx, std::int32_t sy) {
+    slots(column + sx * columns_, row + sy * rows_)[slot] =
+        k >= 0 ? Slot::of(k, {sx - turned.x, sy - turned.y}, crowded) : Slot::kEmpty;
+  };
+  write(0, 0);
+  if (!is_outermost(column, row)) return;
+  const std::int32_t sx = !box_.periodic(0) ? 0 : column == 0 ? 1 : column == columns_ - 1 ? -1 : 0;
+  const std::int32_t sy = !box_.periodic(1) ? 0 : row == 0 ? 1 : row == rows_ - 1 ? -1 : 0;
+  if (sx != 0) write(sx, 0);
+  if (sy != 0) write(0, sy);
+  if (sx != 0 && sy != 0) write(sx, sy);
+}
+
+/// Writes the slots of a cell anew, after something about its disks has changed.
+void Cells::write_slots(std::int32_t column, std::int32_t row) noexcept {
+  const bool crowded = surplus_.contains(number_of(column, row));
+  for (unsigned m = 0; m < kSlots; ++m) {
+    const Index slot = slots(column, row)[m];
+    if (slot >= 0) write_slot(column, row, m, Slot::disk(slot), crowded);
+  }
 }
 
 void Cells::insert(Index k) {
-  const std::ptrdiff_t cell = cell_of(k);
-  Index* slots = slots_.data() + cell * kSlots;
+  const Place& place = places_[k];
+  const Index* cell = slots(place.column, place.row);
   unsigned empty = 0;
-  for (unsigned m = 0; m < kSlots; ++m) empty |= static_cast<unsigned>(slots[m] < 0) << m;
-  if (empty == 0) {
-    surplus_[cell].push_back(k);
-    mark(cell);
-    return;
+  for (unsigned m = 0; m < kSlots; ++m) empty |= static_cast<unsigned>(cell[m] < 0) << m;
+  if (empty != 0) {
+    write_slot(place.column, place.row, static_cast<unsigned>(std::countr_zero(empty)), k, false);
+  } else {
+    surplus_[number_of(place.column, place.row)].push_back(k);
+    write_slots(place.column, place.row);
   }
-  const bool marked = (places_[k].traits & Place::kElsewhere) != 0;
-  slots[std::countr_zero(empty)] = marked ? k | kMarked : k;
 }
 
 void Cells::remove(Index k) {
-  const std::ptrdiff_t cell = cell_of(k);
-  Index* slots = slots_.data() + cell * kSlots;
+  const Place& place = places_[k];
+  const Index* cell = slots(place.column, place.row);
   unsigned here = 0;
   unsigned taken = 0;
   for (unsigned m = 0; m < kSlots; ++m) {
-    taken += static_cast<unsigned>(slots[m] >= 0);
-    here |= static_cast<unsigned>(slots[m] >= 0 && (slots[m] & ~kMarked) == k) << m;
+    taken += static_cast<unsigned>(cell[m] >= 0);
+    here |= static_cast<unsigned>(cell[m] >= 0 && Slot::disk(cell[m]) == k) << m;
   }
-  if (here != 0) slots[std::countr_zero(here)] = kEmpty;
+  const auto slot = static_cast<unsigned>(std::countr_zero(here));
+  if (here != 0) write_slot(place.column, place.row, slot, Slot::kEmpty, false);
   if (taken < kSlots || surplus_.empty()) return;
-  const auto found = surplus_.find(cell);
+  const auto found = surplus_.find(number_of(place.column, place.row));
   if (found == surplus_.end()) return;
   std::vector<Index>& rest = found->second;
   if (here == 0) {
     rest.erase(std::find(rest.begin(), rest.end(), k));
   } else {
-    slots[std::countr_zero(here)] = rest.back();
+    write_slot(place.column, place.row, slot, rest.back(), true);
     rest.pop_back();
   }
   if (rest.empty()) surplus_.erase(found);
-  mark(cell);
-}
-
-/// Marks the slots of a cell that need a closer look.
-void Cells::mark(std::ptrdiff_t cell) noexcept {
-  Index* slots = slots_.data() + cell * kSlots;
-  const bool crowded = surplus_.contains(cell);
-  for (int m = 0; m < kSlots; ++m) {
-    if (slots[m] < 0) continue;
-    const Index k = slots[m] & ~kMarked;
-    slots[m] = crowded || (places_[k].traits & Place::kElsewhere) != 0 ? k | kMarked : k;
-  }
+  write_slots(place.column, place.row);
 }
 
 void Cells::set_partner_image(Index k, Image image) {
@@ -157,14 +173,14 @@ void Cells::cross(Index k) {
     const Image before = turns(k);
     set_turns(k, {before.x + turn.x, before.y + turn.y});
   }
-  set_border(k);
+  note_walls(k);
   insert(k);
 }
 
 void Cells::fold(Index k, Image turned) {
   const Image before = turns(k);
   set_turns(k, {before.x - turned.x, before.y - turned.y});
-  mark(cell_of(k));
+  write_slots(places_[k].column, places_[k].row);
 }
 
 void Cells::set_turns(Index k, Image turned) {

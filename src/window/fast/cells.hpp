@@ -18,7 +18,7 @@ namespace carom::fast {
 /// Where a disk is in the grid, and its earliest contact; its record's event is that or a crossing before it.
 struct alignas(32) Place {
   static constexpr std::uint8_t kPlain = 0;
-  static constexpr std::uint8_t kAtBorder = 1;   ///< in an outermost cell
+  static constexpr std::uint8_t kNearWall = 1;   ///< in an outermost cell along an axis with walls
   static constexpr std::uint8_t kElsewhere = 2;  ///< has flown over a seam: its stored position is in another copy
   static constexpr std::uint8_t kHasImage = 4;   ///< its next contact is with a copy
 
@@ -31,12 +31,39 @@ struct alignas(32) Place {
 };
 static_assert(sizeof(Place) == 32);
 
+/// What stands in a slot: a disk; and where that is not the disk at its stored position but a copy of it, marked,
+/// which.
+class Slot {
+ public:
+  static constexpr Index kEmpty = -1;
+  static constexpr Index kMarked = 1 << 30;
+  static constexpr Index kMostDisks = 1 << 25;
+
+  /// Disk k's copy at its stored position + image L. `look_closer`: the cell does not say all.
+  static Index of(Index k, Image image, bool look_closer) noexcept {
+    if (look_closer || image.x < -2 || image.x > 2 || image.y < -2 || image.y > 2) return k | kMarked | kLookCloser;
+    if (image == Image{}) return k;
+    return k | kMarked | (((image.x + 2) * 5 + image.y + 2) << kCodeShift);
+  }
+  [[nodiscard]] static Index disk(Index slot) noexcept { return slot & (kMostDisks - 1); }
+  [[nodiscard]] static bool says_all(Index slot) noexcept {
+    return slot < kMarked || (slot & kLookCloser) != kLookCloser;
+  }
+  [[nodiscard]] static Image image(Index slot) noexcept {
+    if (slot < kMarked) return {};
+    const Index code = (slot & kLookCloser) >> kCodeShift;
+    return {code / 5 - 2, code % 5 - 2};
+  }
+
+ private:
+  static constexpr int kCodeShift = 25;
+  static constexpr Index kLookCloser = 31 << kCodeShift;
+};
+
+/// Around the cells of the box lies a border of cells, which along a periodic axis repeat those of the other side.
 class Cells {
  public:
   static constexpr int kSlots = 5;
-  static constexpr Index kEmpty = -1;
-  /// Set in a slot whose disk needs a closer look: it is elsewhere, or its cell has more disks than slots.
-  static constexpr Index kMarked = 1 << 30;
 
   /// Whether a grid like this can serve the system.
   static bool fit(const System& system, double slack);
@@ -49,15 +76,19 @@ class Cells {
 
   /// Slots of a cell. Those of the next column follow; those of the next row come row_stride() later.
   [[nodiscard]] const Index* slots(std::int32_t column, std::int32_t row) const noexcept {
-    return slots_.data() + (static_cast<std::ptrdiff_t>(row) * columns_ + column) * kSlots;
+    return slots_.data() + number_of(column, row) * kSlots;
   }
   [[nodiscard]] Index* slots(std::int32_t column, std::int32_t row) noexcept {
-    return slots_.data() + (static_cast<std::ptrdiff_t>(row) * columns_ + column) * kSlots;
+    return slots_.data() + number_of(column, row) * kSlots;
   }
-  [[nodiscard]] std::ptrdiff_t row_stride() const noexcept { return static_cast<std::ptrdiff_t>(columns_) * kSlots; }
+  [[nodiscard]] std::ptrdiff_t row_stride() const noexcept {
+    return (static_cast<std::ptrdiff_t>(columns_) + 2) * kSlots;
+  }
   [[nodiscard]] Vec2 width() const noexcept { return width_; }
-  [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
-  [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
+  /// Whether the cell is outermost in the box: it may have copies in the border.
+  [[nodiscard]] bool is_outermost(std::int32_t column, std::int32_t row) const noexcept {
+    return (column == 0) | (column == columns_ - 1) | (row == 0) | (row == rows_ - 1);
+  }
 
   /// Calls visit(Neighbour) for every other disk in the nine cells around disk k.
   template <class Visit>
@@ -98,8 +129,9 @@ class Cells {
   void fold(Index k, Image turns);
 
  private:
-  [[nodiscard]] std::ptrdiff_t cell_of(Index k) const noexcept {
-    return static_cast<std::ptrdiff_t>(places_[k].row) * columns_ + places_[k].column;
+  /// Number of a cell, those of the border counted.
+  [[nodiscard]] std::ptrdiff_t number_of(std::int32_t column, std::int32_t row) const noexcept {
+    return (static_cast<std::ptrdiff_t>(row) + 1) * (static_cast<std::ptrdiff_t>(columns_) + 2) + column + 1;
   }
   bool step_over(std::int32_t& cell, std::int32_t count, int axis, std::int32_t& seam) const noexcept {
     if (cell >= 0 && cell < count) return true;
@@ -114,24 +146,25 @@ class Cells {
     int taken = 0;
     for (int m = 0; m < kSlots; ++m) {
       if (cell[m] < 0) continue;
-      visit(cell[m] & ~kMarked);
+      visit(Slot::disk(cell[m]));
       ++taken;
     }
     if (taken < kSlots || surplus_.empty()) return;
-    const auto found = surplus_.find(static_cast<std::ptrdiff_t>(row) * columns_ + column);
+    const auto found = surplus_.find(number_of(column, row));
     if (found == surplus_.end()) return;
     for (const Index disk : found->second) visit(disk);
   }
   void set_turns(Index k, Image turns);
-  void set_border(Index k) noexcept;
+  void note_walls(Index k) noexcept;
   void insert(Index k);
   void remove(Index k);
-  void mark(std::ptrdiff_t cell) noexcept;
+  void write_slot(std::int32_t column, std::int32_t row, unsigned slot, Index k, bool crowded) noexcept;
+  void write_slots(std::int32_t column, std::int32_t row) noexcept;
 
   const Box& box_;
   const Array<Record>& records_;
   const Array<DiskId>& ids_;
-  std::int32_t columns_ = 0, rows_ = 0;
+  std::int32_t columns_ = 0, rows_ = 0;  // of the box, without the border
   Vec2 width_;
   Array<Index> slots_;
   Array<Place> places_;

@@ -43,7 +43,7 @@ class Events {
     const Index count = static_cast<Index>(work_.records.size());
     for (Index k = 0; k < count; ++k) {
       Candidates near;
-      if (!near_.gather(k, near) || Kernel::template overlap<kOneKind>(records_, k, near.disks.data(), near.size)) {
+      if (near_.gather(k, near) != Look::plain || Kernel::template overlap<kOneKind>(records_, k, near.disks.data(), near.size)) {
         work_.note_overlaps_of(k);
       }
     }
@@ -103,12 +103,27 @@ class Events {
   /// Finds the earliest event of disk k and writes it into its record.
   CAROM_INLINE void find_next(Index k) {
     Candidates near;
-    if (near_.gather(k, near)) {
+    const Look look = near_.gather(k, near);
+    if (look == Look::plain) {
       note(k, Kernel::template nearest<kOneKind>(records_, k, near.disks.data(), near.size));
-    } else {
+    } else if (look == Look::closer || !find_among_copies(k, near)) {
       give_up(k);
       near_.note(k, work_.settled_contact(k));
     }
+  }
+
+  /// Returns false if a closer look is needed.
+  bool find_among_copies(Index k, Candidates& near) {
+    Shifts shifts;
+    if (!near_.shift(k, near, shifts)) return false;
+    int which = 0;
+    const Nearest nearest =
+        Kernel::template nearest_copy<kOneKind>(records_, k, near.disks.data(), near.size, shifts, which);
+    if (nearest.tied) return false;
+    give_up(k);
+    if (nearest.time < length_) near_.set_partner_image(k, shifts.images[which]);
+    near_.note(k, nearest);
+    return true;
   }
 
   CAROM_INLINE void note(Index k, const Nearest& nearest) {
@@ -126,11 +141,12 @@ class Events {
 
   [[gnu::flatten]] void collide(Index first, Index second, double time) {
     // Without a branch: which id is smaller cannot be guessed.
-    const Index swap = -static_cast<Index>(work_.ids[second] < work_.ids[first]) & (first ^ second);
-    const Index i = first ^ swap;
-    const Index j = second ^ swap;
+    const bool in_order = work_.ids[first] < work_.ids[second];
+    const Index i = choose(in_order, first, second);
+    const Index j = choose(in_order, second, first);
     // This event is being taken; it is not one that somebody else counts on.
-    if (records_[second].partner == first && records_[second].next == time) records_[second].next = predict::kNever;
+    Record& other = records_[second];
+    other.next = choose((other.partner == first) & (other.next == time), predict::kNever, other.next);
     records_[first].next = predict::kNever;
     std::uint32_t generation = 0;
     if (records_[i].t == time || records_[j].t == time) generation = work_.next_generation(i, j, time);
@@ -162,7 +178,7 @@ class Events {
   /// false, with nothing done, where one of the disks needs a closer look.
   CAROM_INLINE bool collide_side_by_side(Index i, Index j, double time, std::uint32_t generation, Image image) {
     Candidates near_i, near_j;
-    if (!near_.gather(i, near_i) || !near_.gather(j, near_j)) return false;
+    if (near_.gather(i, near_i) != Look::plain || near_.gather(j, near_j) != Look::plain) return false;
     const auto others_i = Kernel::flights_of(records_, near_i.disks.data());
     const auto others_j = Kernel::flights_of(records_, near_j.disks.data());
     const DiskEncounter encounter = part(i, j, time, image);

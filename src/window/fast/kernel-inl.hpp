@@ -58,15 +58,31 @@ HWY_INLINE Flights load_flights(const Record* records, const Index* disks) {
   return flights;
 }
 
+/// What is added to positions so that copies stand where they are.
+struct Offsets {
+  Vector own_x, own_y, other_x, other_y;
+};
+
 /// predict::contact_of_disks in every lane; infinity where there is no contact.
-HWY_INLINE Vector contacts(const Flights& i, const Flights& j, Vector sigma) {
+template <bool kCopies>
+HWY_INLINE Vector contacts(const Flights& i, const Flights& j, Vector sigma, const Offsets& offsets) {
   const Doubles d;
   const Vector zero = hn::Zero(d);
   const Vector start = hn::Max(i.t, j.t);
   const Vector dt_i = hn::Sub(start, i.t);
   const Vector dt_j = hn::Sub(start, j.t);
-  const Vector rx = hn::Sub(hn::Add(j.x, hn::Mul(j.vx, dt_j)), hn::Add(i.x, hn::Mul(i.vx, dt_i)));
-  const Vector ry = hn::Sub(hn::Add(j.y, hn::Mul(j.vy, dt_j)), hn::Add(i.y, hn::Mul(i.vy, dt_i)));
+  Vector x_i = hn::Add(i.x, hn::Mul(i.vx, dt_i));
+  Vector y_i = hn::Add(i.y, hn::Mul(i.vy, dt_i));
+  Vector x_j = hn::Add(j.x, hn::Mul(j.vx, dt_j));
+  Vector y_j = hn::Add(j.y, hn::Mul(j.vy, dt_j));
+  if constexpr (kCopies) {
+    x_i = hn::Add(x_i, offsets.own_x);
+    y_i = hn::Add(y_i, offsets.own_y);
+    x_j = hn::Add(x_j, offsets.other_x);
+    y_j = hn::Add(y_j, offsets.other_y);
+  }
+  const Vector rx = hn::Sub(x_j, x_i);
+  const Vector ry = hn::Sub(y_j, y_i);
   const Vector vx = hn::Sub(j.vx, i.vx);
   const Vector vy = hn::Sub(j.vy, i.vy);
   const Vector b = hn::Add(hn::Mul(rx, vx), hn::Mul(ry, vy));
@@ -109,7 +125,7 @@ struct VectorKernel {
   template <bool kOneRadius>
   static HWY_INLINE Vector times_of(const Flights& own, const Flights& others) {
     const Vector sigma = kOneRadius ? hn::Add(own.radius, own.radius) : hn::Add(own.radius, others.radius);
-    return contacts(own, others, sigma);
+    return contacts<false>(own, others, sigma, Offsets{});
   }
 
   /// The same times but for `met`: the two have just met, and part.
@@ -127,8 +143,32 @@ struct VectorKernel {
     Nearest best;
     best.time = hn::GetLane(hn::MinOfLanes(d, times));
     const Lanes here = hn::Eq(times, hn::Set(d, best.time));
-    best.partner = near[hn::FindFirstTrue(d, here)];
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, here, bits);
+    best.partner = near[std::countr_zero(static_cast<unsigned>(bits[0]) | (1U << (kLanes - 1)))];
     best.tied = static_cast<int>(best.time < predict::kNever) & static_cast<int>(hn::CountTrue(d, here) > 1);
+    return best;
+  }
+
+  /// The same with copies among them; `which` becomes the candidate's number.
+  template <bool kOneRadius>
+  static HWY_INLINE Nearest nearest_copy(const Record* records, Index k, const Index* near, int count,
+                                         const Shifts& shifts, int& which) {
+    const Doubles d;
+    const Flights own = same_flights(records[k]);
+    Nearest best;
+    for (int first = 0; first < count; first += kLanes) {
+      const Flights others = load_flights(records, near + first);
+      const Vector sigma = kOneRadius ? hn::Add(own.radius, own.radius) : hn::Add(own.radius, others.radius);
+      const Offsets offsets{hn::LoadU(d, shifts.own_x.data() + first), hn::LoadU(d, shifts.own_y.data() + first),
+                            hn::LoadU(d, shifts.other_x.data() + first), hn::LoadU(d, shifts.other_y.data() + first)};
+      const Vector times = contacts<true>(own, others, sigma, offsets);
+      const Nearest here = nearest_of(times, near + first);
+      if (here.time < best.time) {
+        which = first + static_cast<int>(hn::FindFirstTrue(d, hn::Eq(times, hn::Set(d, here.time))));
+      }
+      best = earlier(best, here);
+    }
     return best;
   }
 
@@ -160,20 +200,20 @@ struct VectorKernel {
     constexpr int kWidth = kCount <= 8 ? 8 : 16;
     const hn::FixedTag<std::int32_t, kWidth> d;
     const auto slot = hn::LoadU(d, slots);
-    const auto taken = hn::And(hn::And(hn::Gt(slot, hn::Set(d, Cells::kEmpty)), hn::Ne(slot, hn::Set(d, k))),
+    const auto taken = hn::And(hn::And(hn::Gt(slot, hn::Set(d, Slot::kEmpty)), hn::Ne(slot, hn::Set(d, k))),
                                hn::FirstN(d, static_cast<std::size_t>(kCount)));
     hn::StoreU(hn::Compress(slot, taken), d, near + size);
     size += static_cast<int>(hn::CountTrue(d, taken));
-    return hn::AllFalse(d, hn::And(taken, hn::Gt(slot, hn::Set(d, Cells::kMarked - 1))));
+    return hn::AllFalse(d, hn::And(taken, hn::Gt(slot, hn::Set(d, Slot::kMarked - 1))));
 #else
     // There is no instruction for it; one by one without branches is the next best.
-    Index largest = Cells::kEmpty;
+    Index largest = Slot::kEmpty;
     for (int m = 0; m < kCount; ++m) {
       near[size] = slots[m];
       size += static_cast<int>(slots[m] >= 0) & static_cast<int>(slots[m] != k);
       largest = std::max(largest, slots[m]);
     }
-    return largest < Cells::kMarked;
+    return largest < Slot::kMarked;
 #endif
   }
 

@@ -1,6 +1,9 @@
 // The earliest contact with the disks of a plain list, one after the other.
 #pragma once
 
+#include <array>
+#include <bit>
+
 #include "cells.hpp"
 #include "record.hpp"
 
@@ -11,6 +14,33 @@ struct Nearest {
   double time = predict::kNever;
   Index partner = kNobody;
   bool tied = false;
+};
+
+/// `a` if `which`, else `b`, without a branch that could be guessed wrong.
+inline Index choose(bool which, Index a, Index b) noexcept { return b ^ ((a ^ b) & -static_cast<Index>(which)); }
+inline double choose(bool which, double a, double b) noexcept {
+  const auto bits_a = std::bit_cast<std::uint64_t>(a);
+  const auto bits_b = std::bit_cast<std::uint64_t>(b);
+  return std::bit_cast<double>(bits_b ^ ((bits_a ^ bits_b) & -static_cast<std::uint64_t>(which)));
+}
+
+/// What has to be added to positions, for each of a disk's candidates, so that copies stand where they are (length).
+/// The smaller id of a pair stays where it is: see predict::separation.
+struct Shifts {
+  static constexpr int kRoom = 64;
+  alignas(64) std::array<double, kRoom> other_x, other_y;  ///< to the candidate's
+  alignas(64) std::array<double, kRoom> own_x, own_y;      ///< to the disk's own
+  std::array<Image, kRoom> images;                         ///< of the pair, as in Collision
+
+  /// Candidate m is the copy at its stored position + copy L; `first`: the disk's own id is the smaller one.
+  void set(int m, Image copy, bool first, Vec2 size) noexcept {
+    images[m] = first ? copy : Image{-copy.x, -copy.y};
+    const Vec2 shift{images[m].x * size.x, images[m].y * size.y};
+    other_x[m] = first ? shift.x : 0;
+    other_y[m] = first ? shift.y : 0;
+    own_x[m] = first ? 0 : shift.x;
+    own_y[m] = first ? 0 : shift.y;
+  }
 };
 
 /// The earlier of two; tied if they come at the same time.
@@ -35,6 +65,26 @@ struct ScalarKernel {
     return best;
   }
 
+  /// The same with copies among them; `which` becomes the candidate's number.
+  template <bool kOneRadius>
+  static Nearest nearest_copy(const Record* records, Index k, const Index* near, int count, const Shifts& shifts,
+                              int& which) noexcept {
+    const predict::Flight own = records[k].flight();
+    Nearest best;
+    for (int m = 0; m < count; ++m) {
+      const Record& other = records[near[m]];
+      const Vec2 to_other{shifts.other_x[m], shifts.other_y[m]};
+      const Vec2 to_own{shifts.own_x[m], shifts.own_y[m]};
+      const double sigma = records[k].radius + other.radius;
+      // One of the two is zero: the disk's own id is the larger one if it is not `to_other`.
+      const double time = to_own == Vec2{} ? predict::contact_of_disks(own, other.flight(), to_other, sigma)
+                                           : predict::contact_of_disks(other.flight(), own, to_own, sigma);
+      if (time < best.time) which = m;
+      best = earlier(best, {time, near[m], false});
+    }
+    return best;
+  }
+
   template <bool kOneRadius>
   static bool overlap(const Record* records, Index k, const Index* near, int count) noexcept {
     const Record& own = records[k];
@@ -52,7 +102,7 @@ struct ScalarKernel {
     bool plain = true;
     for (int m = 0; m < kCount; ++m) {
       if (slots[m] < 0 || slots[m] == k) continue;
-      plain = plain && slots[m] < Cells::kMarked;
+      plain = plain && slots[m] < Slot::kMarked;
       near[size++] = slots[m];
     }
     return plain;

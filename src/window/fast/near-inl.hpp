@@ -1,7 +1,8 @@
 // How the events' loop finds whom a disk can meet: from lists, or from a grid of cells. Included by events-inl.hpp.
 //
 // Both answer the same questions:
-//   gather        the disks that a disk can meet, if none of them needs a closer look
+//   gather        the disks that a disk can meet, and how closely one has to look at them
+//   shift         which copies of them, where some are copies
 //   note          what was found goes into the disk's record, or the grid event that comes before it
 //   grid_event    the disk leaves the place where its neighbours were looked for
 //   folded        the disk's stored position was folded into the box
@@ -11,8 +12,16 @@ namespace carom::fast::CAROM_TARGET {
 
 /// Disks near a disk, with room for what vector stores write beyond the last.
 struct Candidates {
-  alignas(64) std::array<Index, 80> disks;
+  static constexpr int kRoom = 64;
+  alignas(64) std::array<Index, kRoom> disks;
   int size = 0;
+};
+
+/// How gathered candidates have to be looked at.
+enum class Look {
+  plain,   ///< they are the disks at their stored positions
+  copies,  ///< some are copies
+  closer   ///< that is not all: ask Workspace::settled_contact
 };
 
 template <class Kernel, bool kOneKind>
@@ -25,13 +34,16 @@ class NearFromLists {
         length_(work.length),
         leash_squared_(lists_.leash_squared()) {}
 
-  CAROM_INLINE bool gather(Index k, Candidates& near) const {
+  CAROM_INLINE Look gather(Index k, Candidates& near) const {
     const List& list = lists_[k];
     std::copy(list.near.begin(), list.near.end(), near.disks.begin());
     near.size = list.count;
     Kernel::pad(k, near.disks.data(), List::kRoom);
-    return list.traits == 0;
+    return list.traits == 0 ? Look::plain : Look::closer;
   }
+
+  bool shift(Index /*k*/, Candidates& /*near*/, Shifts& /*shifts*/) const { return false; }  // lists know no copies
+  void set_partner_image(Index /*k*/, Image /*image*/) {}
 
   [[nodiscard]] std::uint32_t partner_events(Index k) const { return lists_[k].partner_events; }
 
@@ -90,23 +102,37 @@ class NearFromCells {
         records_(work.records.data()),
         cells_(*work.cells),
         length_(work.length),
+        size_(work.system.box.size),
         width_(cells_.width()),
         row_stride_(cells_.row_stride()) {}
 
   /// From the nine cells around the disk.
-  CAROM_INLINE bool gather(Index k, Candidates& near) {
+  CAROM_INLINE Look gather(Index k, Candidates& near) {
     Place& place = cells_[k];
     near.size = 0;
-    if (is_special(place)) return false;
-    if (place.traits != Place::kPlain) place.traits = Place::kPlain;  // what it meets next is no image
     const Index* row = cells_.slots(place.column - 1, place.row - 1);
     bool plain = true;
     for (int b = 0; b < 3; ++b, row += row_stride_) {
       plain &= Kernel::template collect<3 * Cells::kSlots>(row, k, near.disks.data(), near.size);
     }
-    Kernel::pad(k, near.disks.data(), near.size);
-    return plain;
+    return look(k, place, near, plain);
   }
+
+  /// Takes the marks off the candidates and says what they meant. Returns false if that is not all there is to know.
+  bool shift(Index k, Candidates& near, Shifts& shifts) const {
+    const Image own = cells_.turns(k);
+    for (int m = 0; m < near.size; ++m) {
+      const Index slot = near.disks[m];
+      if (!Slot::says_all(slot)) return false;
+      const Index other = Slot::disk(slot);
+      const Image copy = Slot::image(slot);
+      near.disks[m] = other;
+      shifts.set(m, {copy.x + own.x, copy.y + own.y}, work_.ids[k] < work_.ids[other], size_);
+    }
+    for (int m = near.size; m < near.size + Kernel::kLanesPerPass; ++m) shifts.set(m, {}, true, size_);
+    return true;
+  }
+  void set_partner_image(Index k, Image image) { cells_.set_partner_image(k, image); }
 
   [[nodiscard]] std::uint32_t partner_events(Index k) const { return cells_[k].partner_events; }
 
@@ -123,17 +149,17 @@ class NearFromCells {
   /// Returns false if that has to be looked for anew.
   CAROM_INLINE bool grid_event(Index k, double /*time*/) {
     Place& place = cells_[k];
-    if (is_special(place) || !cross_inside(k, place)) {
+    if (place.traits != Place::kPlain || !cross_inside(k, place)) {
       cells_.cross(k);
-      if (is_special(place)) return false;
+      if (place.traits != Place::kPlain) return false;
     }
     Candidates near;
     const auto exit = static_cast<Wall>(place.exit);
-    const bool sideways = exit == Wall::left || exit == Wall::right;
-    const std::int32_t ahead = exit == Wall::right || exit == Wall::top ? 1 : -1;
-    const Index* cell = sideways ? cells_.slots(place.column + ahead, place.row - 1)
-                                 : cells_.slots(place.column - 1, place.row + ahead);
-    const std::ptrdiff_t step = sideways ? row_stride_ : Cells::kSlots;
+    const auto upwards = static_cast<std::int32_t>(exit) >> 1;
+    const std::int32_t ahead = 2 * (static_cast<std::int32_t>(exit) & 1) - 1;
+    const Index* cell =
+        cells_.slots(place.column + choose(upwards != 0, -1, ahead), place.row + choose(upwards != 0, ahead, -1));
+    const std::ptrdiff_t step = Cells::kSlots + (row_stride_ - Cells::kSlots) * (1 - upwards);
     bool plain = true;
     for (int m = 0; m < 3; ++m, cell += step) {
       plain &= Kernel::template collect<Cells::kSlots>(cell, k, near.disks.data(), near.size);
@@ -157,25 +183,28 @@ class NearFromCells {
   void prefetch(Index k) const { __builtin_prefetch(&cells_[k]); }
   void prefetch_around(Index k) const {
     const Place& place = cells_[k];
-    if (is_special(place)) return;
     const Index* row = cells_.slots(place.column - 1, place.row - 1);
     for (int b = 0; b < 3; ++b, row += row_stride_) __builtin_prefetch(row);
   }
 
  private:
-  static bool is_special(const Place& place) noexcept {
-    return (place.traits & (Place::kAtBorder | Place::kElsewhere)) != 0;
+  CAROM_INLINE Look look(Index k, Place& place, Candidates& near, bool plain) {
+    Kernel::pad(k, near.disks.data(), near.size);
+    if (near.size > Candidates::kRoom - 16 || (place.traits & Place::kNearWall) != 0) return Look::closer;
+    place.traits = static_cast<std::uint8_t>(place.traits & ~Place::kHasImage);
+    return plain && place.traits == Place::kPlain ? Look::plain : Look::copies;
   }
 
   /// The crossing or the contact, whichever comes first, goes into the record.
   CAROM_INLINE void note_first(Index k, Place& place) {
     Record& own = records_[k];
-    const double crosses = is_special(place) ? cells_.crossing_of_any(k) : crossing(own, place);
-    const bool first = crosses <= place.contact;
-    const double next = first ? crosses : place.contact;
+    const bool simple = (place.traits & (Place::kNearWall | Place::kElsewhere)) == 0;
+    const double crosses = simple ? crossing(own, place) : cells_.crossing_of_any(k);
+    const Index first = choose(crosses <= place.contact, kGridEvent, place.partner);
+    const double next = std::min(crosses, place.contact);
     const bool comes = next < length_;
-    own.next = comes ? next : predict::kNever;
-    own.partner = comes ? (first ? kGridEvent : place.partner) : kNobody;
+    own.next = choose(comes, next, predict::kNever);
+    own.partner = choose(comes, first, kNobody);
   }
 
   /// The usual crossing: from a cell inside the grid to another, neither of them crowded. Returns false, with nothing
@@ -183,19 +212,20 @@ class NearFromCells {
   CAROM_INLINE bool cross_inside(Index k, Place& place) {
     const auto exit = static_cast<std::int32_t>(place.exit);  // left, right, bottom, top
     const std::int32_t step = 2 * (exit & 1) - 1;
-    const std::int32_t column = place.column + ((exit & 2) == 0 ? step : 0);
-    const std::int32_t row = place.row + ((exit & 2) == 0 ? 0 : step);
-    const bool border = (column == 0) | (column == cells_.columns() - 1) | (row == 0) | (row == cells_.rows() - 1);
+    const std::int32_t upwards = exit >> 1;
+    const std::int32_t column = place.column + step * (1 - upwards);
+    const std::int32_t row = place.row + step * upwards;
+    const bool border = cells_.is_outermost(place.column, place.row) | cells_.is_outermost(column, row);
     Index* const from = cells_.slots(place.column, place.row);
     Index* const to = cells_.slots(column, row);
     const unsigned here = Kernel::slots_with(from, k);
-    const unsigned empty_there = Kernel::slots_with(to, Cells::kEmpty);
-    const bool crowded = Kernel::slots_with(from, Cells::kEmpty) == 0;
+    const unsigned empty_there = Kernel::slots_with(to, Slot::kEmpty);
+    const bool crowded = Kernel::slots_with(from, Slot::kEmpty) == 0;
     if (static_cast<int>(here == 0) | static_cast<int>(empty_there == 0) | static_cast<int>(crowded) |
         static_cast<int>(border)) {
       return false;
     }
-    from[std::countr_zero(here)] = Cells::kEmpty;
+    from[std::countr_zero(here)] = Slot::kEmpty;
     to[std::countr_zero(empty_there)] = k;
     place.column = column;
     place.row = row;
@@ -206,20 +236,21 @@ class NearFromCells {
   CAROM_INLINE double crossing(const Record& own, Place& place) const {
     const bool right = own.vx > 0;
     const bool up = own.vy > 0;
-    const double side = width_.x * (place.column + (right ? 1 : 0));
-    const double top = width_.y * (place.row + (up ? 1 : 0));
-    const double through_side = own.vx != 0 ? (side - own.x) / own.vx : predict::kNever;
-    const double through_top = own.vy != 0 ? (top - own.y) / own.vy : predict::kNever;
+    const double side = width_.x * (place.column + static_cast<int>(right));
+    const double top = width_.y * (place.row + static_cast<int>(up));
+    // At rest along an axis: infinity, or 0/0, which is no time before any.
+    const double through_side = choose(own.vx != 0, (side - own.x) / own.vx, predict::kNever);
+    const double through_top = choose(own.vy != 0, (top - own.y) / own.vy, predict::kNever);
     const bool sideways = through_side <= through_top;
-    place.exit =
-        static_cast<std::uint8_t>(sideways ? (right ? Wall::right : Wall::left) : (up ? Wall::top : Wall::bottom));
-    return own.t + (sideways ? through_side : through_top);
+    place.exit = static_cast<std::uint8_t>(choose(sideways, static_cast<Index>(right), 2 + static_cast<Index>(up)));
+    return own.t + std::min(through_side, through_top);
   }
 
   Workspace& work_;
   Record* records_;
   Cells& cells_;
   const double length_;
+  const Vec2 size_;  // of the box
   const Vec2 width_;
   const std::ptrdiff_t row_stride_;
 };

@@ -8,7 +8,7 @@
 namespace carom::fast {
 namespace {
 
-constexpr double kEventsPerBucket = 9;
+constexpr double kEventsPerBucket = 7;
 
 /// Bits of a number below 2¹⁶, one apart.
 std::uint32_t spread_bits(std::uint32_t number) noexcept {

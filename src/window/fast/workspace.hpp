@@ -114,7 +114,7 @@ class Workspace {
   }
   [[nodiscard]] bool may_meet_wall(Index k) const noexcept {
     return system.box.has_walls() &&
-           (cells ? ((*cells)[k].traits & Place::kAtBorder) != 0 : ((*lists)[k].traits & List::kNearWall) != 0);
+           (cells ? ((*cells)[k].traits & Place::kNearWall) != 0 : ((*lists)[k].traits & List::kNearWall) != 0);
   }
   [[nodiscard]] Extent extent() const noexcept;
   [[nodiscard]] double rounding_slack(const Extent& extent) const noexcept;
