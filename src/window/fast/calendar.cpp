@@ -49,7 +49,7 @@ void Calendar::start(double length, double width, std::size_t ring) {
   spilled_.clear();
   free_.clear();
   beyond_.clear();
-  due_.resize(2 * kFew + Bucket::kRoom);
+  due_.resize(4 * kFew + Bucket::kRoom);
   count_ = 0;
 }
 
@@ -78,7 +78,7 @@ void Calendar::spill(std::size_t slot) {
 }
 
 void Calendar::collect(const Bucket& bucket, std::uint8_t count, const Array<Record>& records) {
-  if (count_ + count + kFew > due_.size()) due_.resize(2 * due_.size() + count);
+  if (count_ + count + 2 * kFew > due_.size()) due_.resize(2 * due_.size() + count);
   Due* const begin = due_.data() + count_;
   Due* end = begin;
   for (std::uint8_t k = 0; k < count; ++k) {
@@ -101,9 +101,7 @@ void Calendar::sort_due() {
     std::sort(due_.begin(), due_.begin() + static_cast<std::ptrdiff_t>(count_), comes_later);
     return;
   }
-  for (std::size_t k = 0; k < kFew; ++k) {
-    if (k >= count_) due_[k].time = -1;  // before all others, which is behind them
-  }
+  for (std::size_t k = 0; k < kFew; ++k) due_[count_ + k].time = -1;  // before all others, which is behind them
   sort_few(due_.data());
 }
 

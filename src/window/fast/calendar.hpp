@@ -57,7 +57,9 @@ class Calendar {
   [[nodiscard]] Due first() const noexcept { return due_[count_ - 1]; }
   void drop_first() noexcept { --count_; }
   /// Whether another event comes at the time of the first one.
-  [[nodiscard]] bool is_tied() const noexcept { return count_ > 1 && due_[count_ - 2].time == due_[count_ - 1].time; }
+  [[nodiscard]] bool is_tied() const noexcept {
+    return (count_ > 1) & (due_[std::max(count_, std::size_t{2}) - 2].time == due_[count_ - 1].time);
+  }
   /// All of them have earlier times than this.
   [[nodiscard]] double due_before() const noexcept { return due_before_; }
   template <class Visit>

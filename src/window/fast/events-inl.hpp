@@ -43,7 +43,8 @@ class Events {
     const Index count = static_cast<Index>(work_.records.size());
     for (Index k = 0; k < count; ++k) {
       Candidates near;
-      if (near_.gather(k, near) != Look::plain || Kernel::template overlap<kOneKind>(records_, k, near.disks.data(), near.size)) {
+      if (near_.gather(k, near) != Look::plain ||
+          Kernel::template overlap<kOneKind>(records_, k, near.disks.data(), near.size)) {
         work_.note_overlaps_of(k);
       }
     }
@@ -274,9 +275,8 @@ class Events {
       near_.prefetch(k);
     });
     calendar_.for_due([&](Index k) {
-      const Index partner = std::max(records_[k].partner, 0);
+      near_.prefetch(std::max(records_[k].partner, 0));
       near_.prefetch_around(k);
-      near_.prefetch(partner);
     });
   }
 
@@ -305,8 +305,10 @@ struct LoopsOf {
 
 template <template <class, bool> class Near>
 Loops loops_near(bool one_kind) noexcept {
-  return one_kind ? Loops{LoopsOf<Near, true>::process_events, LoopsOf<Near, true>::note_overlaps}
-                  : Loops{LoopsOf<Near, false>::process_events, LoopsOf<Near, false>::note_overlaps};
+  return one_kind ? Loops{LoopsOf<Near, true>::process_events, LoopsOf<Near, true>::note_overlaps,
+                          TargetKernel::contact_times}
+                  : Loops{LoopsOf<Near, false>::process_events, LoopsOf<Near, false>::note_overlaps,
+                          TargetKernel::contact_times};
 }
 
 Loops loops(Neighbourhood neighbourhood, bool one_kind) noexcept {

@@ -145,9 +145,26 @@ struct VectorKernel {
     const Lanes here = hn::Eq(times, hn::Set(d, best.time));
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, here, bits);
-    best.partner = near[std::countr_zero(static_cast<unsigned>(bits[0]) | (1U << (kLanes - 1)))];
+    best.partner = near[__builtin_ctz(static_cast<unsigned>(bits[0]) | (1U << (kLanes - 1)))];
     best.tied = static_cast<int>(best.time < predict::kNever) & static_cast<int>(hn::CountTrue(d, here) > 1);
     return best;
+  }
+
+  /// Times of contact with the candidates from number `first` on.
+  static HWY_INLINE Vector times_of_copies(const Record* records, const Flights& own, const Index* near,
+                                           const Shifts& shifts, int first) {
+    const Doubles d;
+    const Flights others = load_flights(records, near);
+    const Offsets offsets{hn::LoadU(d, shifts.own_x.data() + first), hn::LoadU(d, shifts.own_y.data() + first),
+                          hn::LoadU(d, shifts.other_x.data() + first), hn::LoadU(d, shifts.other_y.data() + first)};
+    return contacts<true>(own, others, hn::Add(own.radius, others.radius), offsets);
+  }
+  static void contact_times(const Record* records, Index k, const Index* near, int count, const Shifts& shifts,
+                            double* times) {
+    const Flights own = same_flights(records[k]);
+    for (int first = 0; first < count; first += kLanes) {
+      hn::StoreU(times_of_copies(records, own, near + first, shifts, first), Doubles(), times + first);
+    }
   }
 
   /// The same with copies among them; `which` becomes the candidate's number.
@@ -158,11 +175,7 @@ struct VectorKernel {
     const Flights own = same_flights(records[k]);
     Nearest best;
     for (int first = 0; first < count; first += kLanes) {
-      const Flights others = load_flights(records, near + first);
-      const Vector sigma = kOneRadius ? hn::Add(own.radius, own.radius) : hn::Add(own.radius, others.radius);
-      const Offsets offsets{hn::LoadU(d, shifts.own_x.data() + first), hn::LoadU(d, shifts.own_y.data() + first),
-                            hn::LoadU(d, shifts.other_x.data() + first), hn::LoadU(d, shifts.other_y.data() + first)};
-      const Vector times = contacts<true>(own, others, sigma, offsets);
+      const Vector times = times_of_copies(records, own, near + first, shifts, first);
       const Nearest here = nearest_of(times, near + first);
       if (here.time < best.time) {
         which = first + static_cast<int>(hn::FindFirstTrue(d, hn::Eq(times, hn::Set(d, here.time))));

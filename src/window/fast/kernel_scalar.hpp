@@ -45,8 +45,11 @@ struct Shifts {
 
 /// The earlier of two; tied if they come at the same time.
 inline Nearest earlier(const Nearest& a, const Nearest& b) noexcept {
-  if (a.time == b.time) return {a.time, a.partner, a.time < predict::kNever};
-  return a.time < b.time ? a : b;
+  const bool same = (a.time == b.time) & (a.time < predict::kNever);
+  const bool first = a.time <= b.time;
+  return {choose(first, a.time, b.time), choose(first, a.partner, b.partner),
+          static_cast<bool>(static_cast<int>(same) | (static_cast<int>(a.tied) & static_cast<int>(first)) |
+                            (static_cast<int>(b.tied) & static_cast<int>(!first)))};
 }
 
 struct ScalarKernel {
@@ -65,20 +68,27 @@ struct ScalarKernel {
     return best;
   }
 
+  /// The time of contact with candidate m.
+  static double contact_time(const Record& record, const Record& other, const Shifts& shifts, int m) noexcept {
+    const Vec2 to_other{shifts.other_x[m], shifts.other_y[m]};
+    const Vec2 to_own{shifts.own_x[m], shifts.own_y[m]};
+    const double sigma = record.radius + other.radius;
+    // One of the two is zero; the disk whose id is the smaller one stays where it is.
+    return to_own == Vec2{} ? predict::contact_of_disks(record.flight(), other.flight(), to_other, sigma)
+                            : predict::contact_of_disks(other.flight(), record.flight(), to_own, sigma);
+  }
+  static void contact_times(const Record* records, Index k, const Index* near, int count, const Shifts& shifts,
+                            double* times) {
+    for (int m = 0; m < count; ++m) times[m] = contact_time(records[k], records[near[m]], shifts, m);
+  }
+
   /// The same with copies among them; `which` becomes the candidate's number.
   template <bool kOneRadius>
   static Nearest nearest_copy(const Record* records, Index k, const Index* near, int count, const Shifts& shifts,
                               int& which) noexcept {
-    const predict::Flight own = records[k].flight();
     Nearest best;
     for (int m = 0; m < count; ++m) {
-      const Record& other = records[near[m]];
-      const Vec2 to_other{shifts.other_x[m], shifts.other_y[m]};
-      const Vec2 to_own{shifts.own_x[m], shifts.own_y[m]};
-      const double sigma = records[k].radius + other.radius;
-      // One of the two is zero: the disk's own id is the larger one if it is not `to_other`.
-      const double time = to_own == Vec2{} ? predict::contact_of_disks(own, other.flight(), to_other, sigma)
-                                           : predict::contact_of_disks(other.flight(), own, to_own, sigma);
+      const double time = contact_time(records[k], records[near[m]], shifts, m);
       if (time < best.time) which = m;
       best = earlier(best, {time, near[m], false});
     }

@@ -15,6 +15,10 @@ struct Loops {
   bool (*process_events)(Workspace& work, double until, const std::atomic<bool>& interrupt) = nullptr;
   /// At the window's end, with all disks at one time: notes in the books how far they overlap.
   void (*note_overlaps)(Workspace& work) = nullptr;
+  /// The kernel by itself: times[m] becomes the time at which disk k meets candidate near[m], kNever if it does not.
+  /// `near` and `times` go on for another 8 entries, the former with k. For tests and benchmarks.
+  void (*contact_times)(const Record* records, Index k, const Index* near, int count, const Shifts& shifts,
+                        double* times) = nullptr;
 };
 
 /// The loops for these instructions. `one_kind`: all disks have one radius and one mass.

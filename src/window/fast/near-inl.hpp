@@ -53,8 +53,8 @@ class NearFromLists {
     const double leaves = leaves_list(own, list, nearest.time);
     if (leaves <= nearest.time) nearest = {leaves, kGridEvent, false};
     const bool comes = nearest.time < length_;
-    own.next = comes ? nearest.time : predict::kNever;
-    own.partner = comes ? nearest.partner : kNobody;
+    own.next = choose(comes, nearest.time, predict::kNever);
+    own.partner = choose(comes, nearest.partner, kNobody);
     list.partner_events = records_[std::max(own.partner, 0)].events;
   }
 
@@ -139,8 +139,8 @@ class NearFromCells {
   CAROM_INLINE void note(Index k, const Nearest& nearest) {
     Place& place = cells_[k];
     const bool comes = nearest.time < length_;
-    place.contact = comes ? nearest.time : predict::kNever;
-    place.partner = comes ? nearest.partner : kNobody;
+    place.contact = choose(comes, nearest.time, predict::kNever);
+    place.partner = choose(comes, nearest.partner, kNobody);
     place.partner_events = records_[std::max(place.partner, 0)].events;
     note_first(k, place);
   }
@@ -173,7 +173,7 @@ class NearFromCells {
       note(k, nearest);
       return true;
     }
-    if (nearest.time == place.contact && nearest.time < predict::kNever) return false;
+    if ((nearest.time == place.contact) & (nearest.time < predict::kNever)) return false;
     note_first(k, place);
     return true;
   }

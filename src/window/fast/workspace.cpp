@@ -153,15 +153,17 @@ void Workspace::find_neighbours() {
   const Extent range = extent();
   const double slack = rounding_slack(range);
   if (chooses_cells(slack)) {
-    cells = std::make_unique<Cells>(system, options_.cell_size > 0 ? options_.cell_size : default_cell_size(range),
-                                    slack, records, ids);
+    cells = std::make_unique<Cells>(system, options_.cell_size > 0 ? options_.cell_size : default_cell_size(), slack,
+                                    records, ids);
   } else {
     build_lists(range, slack);
   }
 }
 
-/// Cells where the largest disk leaves them narrow enough for the smallest, and the box is made for them.
+/// Lists where the disks are dense or of very different sizes, and where the box is not made for cells.
 bool Workspace::chooses_cells(double slack) const {
+  constexpr double kDensest = 0.65;         // packing fraction from which on lists were measured to be faster
+  constexpr double kWidestSizeRatio = 2.5;  // a cell is as wide as the largest disk
   if (!Cells::fit(system, 2 * slack)) return false;
   if (options_.neighbourhood) return *options_.neighbourhood == Neighbourhood::cells;
   double smallest = predict::kNever;
@@ -170,12 +172,12 @@ bool Workspace::chooses_cells(double slack) const {
     smallest = std::min(smallest, own.radius);
     largest = std::max(largest, own.radius);
   }
-  return largest <= 2.5 * smallest;
+  return largest <= kWidestSizeRatio * smallest && packing_fraction(system) < kDensest;
 }
 
 /// So wide that a cell holds about kDisks disks.
-double Workspace::default_cell_size(const Extent& /*extent*/) const noexcept {
-  constexpr double kDisks = 1.2;
+double Workspace::default_cell_size() const noexcept {
+  constexpr double kDisks = 0.8;
   const Box& box = system.box;
   return std::sqrt(kDisks * box.size.x / static_cast<double>(records.size()) * box.size.y);
 }

@@ -102,7 +102,7 @@ class Workspace {
   void load(const State& start);
   void find_neighbours();
   void build_lists(const Extent& range, double slack);
-  [[nodiscard]] double default_cell_size(const Extent& extent) const noexcept;
+  [[nodiscard]] double default_cell_size() const noexcept;
   [[nodiscard]] bool chooses_cells(double slack) const;
   template <class Visit>
   void for_neighbours(Index k, Visit visit) const {
