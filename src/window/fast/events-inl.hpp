@@ -50,15 +50,22 @@ class Events {
     }
   }
 
-  bool process(double until, const std::atomic<bool>& interrupt) {
+  /// Why processing stopped.
+  enum class End { reached, interrupted, lists_widened };
+
+  End process(double until, const std::atomic<bool>& interrupt) {
     for (;;) {
       if (calendar_.empty()) {
-        if (!calendar_.turn(work_.records)) return true;
+        if (!calendar_.turn(work_.records)) return End::reached;
         prefetch();
       }
       const Due event = calendar_.first();
-      if (!(event.time < until)) return true;
-      if (interrupt.load(std::memory_order_relaxed)) return false;
+      if (!(event.time < until)) return End::reached;
+      if (interrupt.load(std::memory_order_relaxed)) return End::interrupted;
+      if (work_.lists_are_narrow()) {
+        work_.widen_lists(event.time);
+        if (!work_.predicted) return End::lists_widened;
+      }
       if (calendar_.is_tied() && settle_tie()) continue;
       calendar_.drop_first();
       if (records_[event.disk].next == event.time) process_event(event.disk, event.time);
@@ -296,9 +303,12 @@ struct LoopsOf {
   using EventsHere = Events<TargetKernel, Near<TargetKernel, kOneKind>, kOneKind>;
 
   static bool process_events(Workspace& work, double until, const std::atomic<bool>& interrupt) {
-    EventsHere events(work);
-    if (!work.predicted && !events.predict_all(interrupt)) return false;
-    return events.process(until, interrupt);
+    for (;;) {
+      EventsHere events(work);
+      if (!work.predicted && !events.predict_all(interrupt)) return false;
+      const auto end = events.process(until, interrupt);
+      if (end != EventsHere::End::lists_widened) return end == EventsHere::End::reached;
+    }
   }
   static void note_overlaps(Workspace& work) { EventsHere(work).note_overlaps(); }
 };

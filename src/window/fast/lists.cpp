@@ -6,7 +6,7 @@
 namespace carom::fast {
 
 Lists::Lists(const System& system, const Extent& extent, double shell, double slack, const Array<Record>& records,
-             const Array<DiskId>& ids)
+             const Array<DiskId>& ids, double time)
     : box_(system.box),
       records_(records),
       ids_(ids),
@@ -17,8 +17,9 @@ Lists::Lists(const System& system, const Extent& extent, double shell, double sl
       following_(records.size(), -1) {
   make_levels(system, extent);
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
-    lists_[k].x = records[k].x;
-    lists_[k].y = records[k].y;
+    const Vec2 place = predict::position_at(records[k].flight(), time);
+    lists_[k].x = place.x;
+    lists_[k].y = place.y;
     lists_[k].traits = 0;
     clear(k);
     levels_[level_of(records[k].radius)].grid.insert(k, centre(k), following_);

@@ -34,13 +34,15 @@ static_assert(sizeof(List) == 64);
 /// Lists reach to contact distance + shell; a disk that has gone half a shell from its list's centre needs a new one.
 class Lists {
  public:
+  /// Around where the disks are at `time`. `slack`: more than rounding can move a disk.
   Lists(const System& system, const Extent& extent, double shell, double slack, const Array<Record>& records,
-        const Array<DiskId>& ids);
+        const Array<DiskId>& ids, double time);
 
   [[nodiscard]] List& operator[](Index k) noexcept { return lists_[k]; }
   [[nodiscard]] const List& operator[](Index k) const noexcept { return lists_[k]; }
   /// How far a disk may go from its list's centre (length), and that squared.
   [[nodiscard]] double leash() const noexcept { return leash_; }
+  [[nodiscard]] double shell() const noexcept { return shell_; }
   [[nodiscard]] double leash_squared() const noexcept { return leash_ * leash_; }
   /// Mean number of neighbours.
   [[nodiscard]] double mean_length() const noexcept;
@@ -93,7 +95,7 @@ class Lists {
   const Array<Record>& records_;
   const Array<DiskId>& ids_;
   double shell_;
-  double slack_;  // more than rounding can move a disk
+  double slack_;
   double leash_;
 
   Array<List> lists_;

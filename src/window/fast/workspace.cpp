@@ -57,8 +57,9 @@ void Workspace::open(const State& start, Books& to, std::vector<Collision>* rows
   generations_.clear();
   tie_time_ = -1;
   if (start.disks.size() == 0) return;
+  renewals_now_ = 0;
   const bool worn = renewals_ > 16 * records.size();  // neighbours in space are neighbours in memory no more
-  if (!closed_ || worn || !continues(start)) load(start);
+  if (!closed_ || worn || !continues(start) || rounding_slack(extent(0)) > slack_) load(start);
   closed_ = false;
   for (std::size_t k = 0; k < records.size(); ++k) virial[k] = to.virial_of[ids[k]];
 }
@@ -111,13 +112,15 @@ void Workspace::load(const State& start) {
   find_neighbours();
 }
 
-Extent Workspace::extent() const noexcept {
-  Extent extent{{records[0].x, records[0].y}, {records[0].x, records[0].y}};
+Extent Workspace::extent(double time) const noexcept {
+  Vec2 low{predict::kNever, predict::kNever};
+  Vec2 high{-predict::kNever, -predict::kNever};
   for (const Record& own : records) {
-    extent.low = {std::min(extent.low.x, own.x), std::min(extent.low.y, own.y)};
-    extent.high = {std::max(extent.high.x, own.x), std::max(extent.high.y, own.y)};
+    const Vec2 place = predict::position_at(own.flight(), time);
+    low = {std::min(low.x, place.x), std::min(low.y, place.y)};
+    high = {std::max(high.x, place.x), std::max(high.y, place.y)};
   }
-  return extent;
+  return {low, high};
 }
 
 /// A length that no rounding of a position reaches in this window, however the disks may share their energy.
@@ -150,21 +153,21 @@ double Workspace::default_shell(const Extent& extent) const noexcept {
 }
 
 void Workspace::find_neighbours() {
-  const Extent range = extent();
-  const double slack = rounding_slack(range);
-  if (chooses_cells(slack)) {
-    cells = std::make_unique<Cells>(system, options_.cell_size > 0 ? options_.cell_size : default_cell_size(), slack,
-                                    records, ids);
+  const Extent range = extent(0);
+  slack_ = 4 * rounding_slack(range);  // with some room for the windows to come
+  if (chooses_cells()) {
+    const double width = options_.cell_size > 0 ? options_.cell_size : default_cell_size();
+    cells = std::make_unique<Cells>(system, width, 2 * slack_, records, ids);
   } else {
-    build_lists(range, slack);
+    build_lists(range);
   }
 }
 
 /// Lists where the disks are dense or of very different sizes, and where the box is not made for cells.
-bool Workspace::chooses_cells(double slack) const {
+bool Workspace::chooses_cells() const {
   constexpr double kDensest = 0.65;         // packing fraction from which on lists were measured to be faster
   constexpr double kWidestSizeRatio = 2.5;  // a cell is as wide as the largest disk
-  if (!Cells::fit(system, 2 * slack)) return false;
+  if (!Cells::fit(system, 2 * slack_)) return false;
   if (options_.neighbourhood) return *options_.neighbourhood == Neighbourhood::cells;
   double smallest = predict::kNever;
   double largest = 0;
@@ -182,17 +185,34 @@ double Workspace::default_cell_size() const noexcept {
   return std::sqrt(kDisks * box.size.x / static_cast<double>(records.size()) * box.size.y);
 }
 
-void Workspace::build_lists(const Extent& range, double slack) {
+void Workspace::build_lists(const Extent& range) {
   constexpr double kTooMany = 20;
-  const double least = 4 * slack;
+  const double least = 4 * slack_;
   double shell = std::max(options_.shell > 0 ? options_.shell : default_shell(range), least);
-  lists = std::make_unique<Lists>(system, range, shell, slack, records, ids);
+  lists = std::make_unique<Lists>(system, range, shell, slack_, records, ids, 0);
   // Where the disks crowd in a part of the plane, the mean density said too little.
   while (options_.shell == 0 && shell / 2 >= least && shell > 0.2 * records[0].radius &&
          lists->mean_length() > kTooMany) {
     shell /= 2;
-    lists = std::make_unique<Lists>(system, range, shell, slack, records, ids);
+    lists = std::make_unique<Lists>(system, range, shell, slack_, records, ids, 0);
   }
+}
+
+/// Lists that reach farther than half a periodic box would hold many copies of each disk.
+double Workspace::widest_shell() const noexcept {
+  double widest = predict::kNever;
+  if (system.box.periodic(0)) widest = std::min(widest, system.box.size.x / 2);
+  if (system.box.periodic(1)) widest = std::min(widest, system.box.size.y / 2);
+  return widest;
+}
+
+void Workspace::widen_lists(double time) {
+  renewals_now_ = 0;
+  const double shell = 2 * lists->shell();
+  if (shell > widest_shell()) return;
+  lists = std::make_unique<Lists>(system, extent(time), shell, slack_, records, ids, time);
+  predicted = false;
+  first_unpredicted = 0;
 }
 
 void Workspace::start_calendar() {
@@ -279,6 +299,7 @@ Image Workspace::fold(Index k) {
 void Workspace::renew_list(Index k, double time) {
   lists->renew(k, predict::position_at(records[k].flight(), time));
   ++renewals_;
+  ++renewals_now_;
 }
 
 std::uint32_t Workspace::generation_before(Index k, double time) const noexcept {

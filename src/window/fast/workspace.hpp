@@ -52,9 +52,9 @@ class Workspace {
   void close(State& next);
 
   const System& system;
-  double length = 0;     // of the window (time)
-  bool one_kind = true;  // all disks have the same radius and mass
-  bool predicted = false;
+  double length = 0;       // of the window (time)
+  bool one_kind = true;    // all disks have the same radius and mass
+  bool predicted = false;  // the calendar holds the first event of every disk
   Index first_unpredicted = 0;
   Array<Record> records;
   Array<DiskId> ids;
@@ -84,6 +84,11 @@ class Workspace {
   Image fold(Index k);
   /// A new list for disk k where it is at `time`.
   void renew_list(Index k, double time);
+  /// Whether lists are renewed again and again because disks fly far in one window.
+  [[nodiscard]] bool lists_are_narrow() const noexcept { return renewals_now_ > 64 * records.size() + 4096; }
+  /// Makes all lists anew around where the disks are at `time`, with twice the shell. All disks have to be predicted
+  /// again.
+  void widen_lists(double time);
   /// Generation of a contact of disks i and j at `time`, one of which had an event at that time before.
   std::uint32_t next_generation(Index i, Index j, double time);
   /// The TC rule.
@@ -101,9 +106,9 @@ class Workspace {
   [[nodiscard]] bool continues(const State& start) const noexcept;
   void load(const State& start);
   void find_neighbours();
-  void build_lists(const Extent& range, double slack);
+  void build_lists(const Extent& range);
   [[nodiscard]] double default_cell_size() const noexcept;
-  [[nodiscard]] bool chooses_cells(double slack) const;
+  [[nodiscard]] bool chooses_cells() const;
   template <class Visit>
   void for_neighbours(Index k, Visit visit) const {
     if (cells) {
@@ -116,8 +121,9 @@ class Workspace {
     return system.box.has_walls() &&
            (cells ? ((*cells)[k].traits & Place::kNearWall) != 0 : ((*lists)[k].traits & List::kNearWall) != 0);
   }
-  [[nodiscard]] Extent extent() const noexcept;
+  [[nodiscard]] Extent extent(double time) const noexcept;
   [[nodiscard]] double rounding_slack(const Extent& extent) const noexcept;
+  [[nodiscard]] double widest_shell() const noexcept;
   [[nodiscard]] double default_shell(const Extent& extent) const noexcept;
   [[nodiscard]] std::uint32_t generation_before(Index k, double time) const noexcept;
 
@@ -125,7 +131,9 @@ class Workspace {
   const State* start_ = nullptr;
   bool closed_ = false;                     // the records stand at the end of a window
   double rate_ = 0;                         // events entered per time in the window before; 0 if unknown
+  double slack_ = 0;                        // that lists and cells allow for the rounding of positions (length)
   std::uint64_t renewals_ = 0;              // of lists since the disks were put in order
+  std::uint64_t renewals_now_ = 0;          // of lists in this window since they were last widened
   std::unordered_map<Index, Turns> turns_;  // of disks that crossed a seam in this window
   Array<std::uint32_t> booked_;             // events of each disk that are in the books; empty if none are
   double tie_time_ = -1;
