@@ -1,5 +1,6 @@
 // Same scene, same bits: prints for each scene the digest of its end state and the digest of its sequence of events,
-// reached in two stretches. The output must equal digests.txt for every compiler and level of optimisation.
+// reached in two stretches. The output must equal digests.txt for every compiler and level of optimisation; both
+// solvers, and the fast one with every instruction set and neighbourhood, must come to the same line.
 //
 // If a change is meant to change trajectories, write the new file by: carom_digests_O3 > tests/agreement/digests.txt
 #include <fmt/format.h>
@@ -36,16 +37,35 @@ class EventDigest final : public Observer {
   Digest digest_;
 };
 
-void print_digests(const char* name, const Scene& scene, double until) {
+std::string digests_of(const Setup& setup, double until, const SolverOptions& options) {
   EventDigest events;
-  Simulation simulation(realize(scene));
+  Simulation simulation(setup, options);
   simulation.add_observer(events);
   simulation.run_until(0.37 * until);
   simulation.run_until(until);
   events.add(simulation.collisions_in_flight(), simulation.window_start().clock.window);
   const Summary summary = summarize(simulation);
-  fmt::print("{:<24} {} {} {} {} {}\n", name, summary.digest, events.hex(), summary.collisions, summary.wall_collisions,
-             summary.ties);
+  return fmt::format("{} {} {} {} {}", summary.digest, events.hex(), summary.collisions, summary.wall_collisions,
+                     summary.ties);
+}
+
+/// Throws Error if the fast solver comes to other digests than `expected`.
+void require_from_fast(const char* name, const Setup& setup, double until, const std::string& expected) {
+  for (const Simd simd : available_simd()) {
+    for (const Neighbourhood neighbourhood : {Neighbourhood::lists, Neighbourhood::cells}) {
+      const std::string actual = digests_of(setup, until, {.simd = simd, .neighbourhood = neighbourhood});
+      if (actual == expected) continue;
+      throw Error(fmt::format("{}: reference {}, fast with {} and {} {}", name, expected, name_of(simd),
+                              neighbourhood == Neighbourhood::lists ? "lists" : "cells", actual));
+    }
+  }
+}
+
+void print_digests(const char* name, const Scene& scene, double until) {
+  const Setup setup = realize(scene);
+  const std::string digests = digests_of(setup, until, {.kind = SolverKind::reference});
+  require_from_fast(name, setup, until, digests);
+  fmt::print("{:<24} {}\n", name, digests);
 }
 
 Scene with_restitution(Scene scene, double restitution) {

@@ -92,7 +92,7 @@ constexpr Velocities with_impulse(const Contact& contact, double change) noexcep
 
 /// Where rounding left the pair approaching after its collision: enlarges the impulse by
 /// 2⁻⁵³ μ Σ|v components|, doubled until the pair does not approach.
-inline Velocities separate(const Contact& contact, double change) noexcept {
+[[gnu::cold, gnu::noinline]] inline Velocities separate(const Contact& contact, double change) noexcept {
   const Velocities& v = contact.v;
   const double speeds = (std::abs(v.first.x) + std::abs(v.first.y)) + (std::abs(v.second.x) + std::abs(v.second.y));
   double extra = 0x1p-53 * speeds / length(contact.r);

@@ -36,7 +36,7 @@ class Lists {
  public:
   /// Around where the disks are at `time`. `slack`: more than rounding can move a disk.
   Lists(const System& system, const Extent& extent, double shell, double slack, const Array<Record>& records,
-        const Array<DiskId>& ids, double time);
+        const Array<DiskId>& ids, double time = 0);
 
   [[nodiscard]] List& operator[](Index k) noexcept { return lists_[k]; }
   [[nodiscard]] const List& operator[](Index k) const noexcept { return lists_[k]; }

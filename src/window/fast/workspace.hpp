@@ -85,7 +85,7 @@ class Workspace {
   /// A new list for disk k where it is at `time`.
   void renew_list(Index k, double time);
   /// Whether lists are renewed again and again because disks fly far in one window.
-  [[nodiscard]] bool lists_are_narrow() const noexcept { return renewals_now_ > 64 * records.size() + 4096; }
+  [[nodiscard]] bool lists_are_narrow() const noexcept { return renewals_now_ > 16 * records.size() + 256; }
   /// Makes all lists anew around where the disks are at `time`, with twice the shell. All disks have to be predicted
   /// again.
   void widen_lists(double time);
