@@ -55,13 +55,14 @@ class HardFlights {
       company.own_is_first[m] = below(2) == 0;
       company.shifts.set(m, copy, company.own_is_first[m], company.size);
       Record& met = company.records[company.near[m]];
-      met = of_few ? record_of_few() : partner_of(own, shift_of(copy, company.size));
+      const Vec2 shift = shift_of(copy, company.size);
+      met = !of_few ? partner_of(own, shift) : below(4) == 0 ? passing(own, shift) : record_of_few();
     }
     for (int m = count; m < count + Company::kPadding; ++m) company.shifts.set(m, {}, true, company.size);
   }
 
  private:
-  std::int32_t below(unsigned bound) { return static_cast<std::int32_t>((bits_() >> 32) % bound); }
+  std::int32_t below(std::uint64_t bound) { return static_cast<std::int32_t>((bits_() >> 32) % bound); }
   /// In [0, 1).
   double uniform() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
   /// In [-1, 1).
@@ -88,8 +89,8 @@ class HardFlights {
     plain_times_ = below(3) == 0;
   }
   Vec2 box() {
-    const double x = length_ * (4 + 30 * uniform());
-    return below(2) == 0 ? Vec2{x, length_ * (4 + 30 * uniform())} : Vec2{4 * length_, 8 * length_};
+    const Vec2 odd{4 + 30 * uniform(), 4 + 30 * uniform()};
+    return length_ * (below(2) == 0 ? odd : Vec2{4, 8});
   }
 
   double radius() { return length_ * (below(8) == 0 ? power_of_two(30) : 0.5 + uniform()); }
@@ -100,7 +101,8 @@ class HardFlights {
   Record record() {
     const Vec2 place = 16 * length_ * vector();
     const Vec2 velocity = below(6) == 0 ? Vec2{} : speed_ * vector();
-    return record(place, velocity, time(), radius());
+    const double since = time();
+    return record(place, velocity, since, radius());
   }
 
   /// Small whole numbers: contact distances, discriminants and approaches that are exactly zero.
@@ -108,12 +110,21 @@ class HardFlights {
     constexpr std::array kSpeeds{0.0, -0.0, 1.0, -1.0, 2.0};
     constexpr std::array kRadii{0.5, 0.5, 1.0, 2.5};
     constexpr std::array kTimes{0.0, 0.0, 0.5, 1.0};
-    const auto place = [&] { return length_ * (below(9) - 4); };
-    const auto velocity = [&] { return speed_ * kSpeeds[below(kSpeeds.size())]; };
-    const double x = place();
-    const double vx = velocity();
-    return record({x, place()}, {vx, velocity()}, duration_ * kTimes[below(kTimes.size())],
-                  length_ * kRadii[below(kRadii.size())]);
+    const auto few = [&](const auto& values) { return values[below(values.size())]; };
+    const double x = length_ * (below(9) - 4);
+    const double y = length_ * (below(9) - 4);
+    const double vx = speed_ * few(kSpeeds);
+    const double vy = speed_ * few(kSpeeds);
+    const double since = duration_ * few(kTimes);
+    return record({x, y}, {vx, vy}, since, length_ * few(kRadii));
+  }
+
+  /// Touches `own` of record_of_few(), and all but passes by: rounding can make the discriminant negative.
+  Record passing(const Record& own, Vec2 shift) {
+    const double sigma = own.radius + own.radius;
+    const Vec2 place{own.x + (below(2) == 0 ? sigma : -sigma), own.y};
+    const Vec2 velocity = Vec2{own.vx, own.vy} + speed_ * Vec2{0x1p-28 * even(), even()};
+    return record(place - shift, velocity, own.t, own.radius);
   }
 
   /// A disk whose copy, `shift` from it, has something to do with `own`.
@@ -135,15 +146,17 @@ class HardFlights {
     const Vec2 towards = unit_vector();
     const Vec2 across{-towards.y, towards.x};
     const double speed = speed_ * (0.01 + uniform());
+    const double aside = even();
+    const double gap = uniform();
     switch (below(8)) {
       case 0: return {4 * sigma * vector(), speed_ * vector()};
-      case 1: return {-sigma * power_of_two(20) * towards + 1.1 * even() * sigma * across, speed * towards};
-      case 2: return {-sigma * (1 + 4 * uniform()) * towards + about_one() * sigma * across, speed * towards};
+      case 1: return {-sigma * power_of_two(20) * towards + 1.1 * aside * sigma * across, speed * towards};
+      case 2: return {-sigma * (1 + 4 * gap) * towards + about_one() * sigma * across, speed * towards};
       case 3: return {about_one() * sigma * towards, speed_ * vector()};
-      case 4: return {uniform() * sigma * towards, speed_ * vector()};
-      case 5: return {4 * sigma * vector(), 0x1p-52 * below(3) * speed_ * vector()};
-      case 6: return {sigma * (1 + uniform()) * towards, (0x1p-50 * even() * towards + even() * across) * speed};
-      default: return {-2 * sigma * towards, (towards + even() * across) * power_of_two(30) * speed};
+      case 4: return {gap * sigma * towards, speed_ * vector()};
+      case 5: return {4 * sigma * vector(), 0x1p-52 * below(3) * speed_ * unit_vector()};
+      case 6: return {sigma * (1 + gap) * towards, (0x1p-50 * even() * towards + aside * across) * speed};
+      default: return {-2 * sigma * towards, (towards + aside * across) * power_of_two(30) * speed};
     }
   }
 

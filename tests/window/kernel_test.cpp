@@ -58,7 +58,7 @@ TEST(Kernels, AreOneForEveryInstructionSet) {
 /// How often each of the formula's branches is taken, and how close to its edge.
 struct Branches {
   int parting = 0, abreast = 0, at_rest = 0;
-  int at_once = 0, touching_exactly = 0, touching_nearly = 0;
+  int at_once = 0, touching_exactly = 0, touching_nearly = 0, touching_and_passing = 0;
   int missing = 0, grazing_exactly = 0, grazing_nearly = 0;
   int meeting = 0;
 
@@ -76,6 +76,7 @@ struct Branches {
       return;
     }
     touching_exactly += c == 0;
+    touching_and_passing += c == 0 && d < 0;
     touching_nearly += std::abs(c) < 0x1p-48 * sigma * sigma;
     at_once += c <= 0;
     if (c <= 0) return;
@@ -108,6 +109,7 @@ TEST(HardFlights, TakeEveryBranchAndItsEdges) {
   EXPECT_GT(branches.abreast, 300);
   EXPECT_GT(branches.touching_exactly, 300);
   EXPECT_GT(branches.touching_nearly, 1'000);
+  EXPECT_GT(branches.touching_and_passing, 10);
   EXPECT_GT(branches.grazing_exactly, 300);
   EXPECT_GT(branches.grazing_nearly, 1'000);
   EXPECT_GT(copies, 50'000);

@@ -215,14 +215,14 @@ class NearFromCells {
     const std::int32_t upwards = exit >> 1;
     const std::int32_t column = place.column + step * (1 - upwards);
     const std::int32_t row = place.row + step * upwards;
-    const bool border = cells_.is_outermost(place.column, place.row) | cells_.is_outermost(column, row);
+    const int border = static_cast<int>(cells_.is_outermost(place.column, place.row)) |
+                       static_cast<int>(cells_.is_outermost(column, row));
     Index* const from = cells_.slots(place.column, place.row);
     Index* const to = cells_.slots(column, row);
     const unsigned here = Kernel::slots_with(from, k);
     const unsigned empty_there = Kernel::slots_with(to, Slot::kEmpty);
     const bool crowded = Kernel::slots_with(from, Slot::kEmpty) == 0;
-    if (static_cast<int>(here == 0) | static_cast<int>(empty_there == 0) | static_cast<int>(crowded) |
-        static_cast<int>(border)) {
+    if (static_cast<int>(here == 0) | static_cast<int>(empty_there == 0) | static_cast<int>(crowded) | border) {
       return false;
     }
     from[std::countr_zero(here)] = Slot::kEmpty;
