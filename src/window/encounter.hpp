@@ -24,26 +24,21 @@ struct DiskEncounter {
 
 constexpr double kNoContactYet = -predict::kNever;
 
-/// Disk i meets the copy of disk j shifted by `shift`; masses `m_i`, `m_j`; restitution `e`.
-[[gnu::always_inline]] inline DiskEncounter encounter_of_disks(const predict::Flight& i, const predict::Flight& j,
-                                                               Vec2 shift, double m_i, double m_j, double e) noexcept {
-  const rule::Velocities before{i.velocity, j.velocity};
-  DiskEncounter encounter;
-  encounter.r = predict::separation(i, j, shift, i.time);
-  encounter.after = rule::collide({.r = encounter.r, .v = before, .m1 = m_i, .m2 = m_j, .restitution = e});
-  encounter.impulse = length(rule::impulse_on_second(m_j, before, encounter.after));
-  return encounter;
+/// From disk i to the copy of disk j shifted by `shift`, from where both are at contact: predict::separation's bits.
+constexpr Vec2 separation_at_contact(Vec2 i, Vec2 j, Vec2 shift) noexcept { return (j + shift) - i; }
+
+/// Disks i and j, `r` apart, have velocities `before`, masses `m_i`, `m_j` and restitution `e`.
+[[gnu::always_inline]] inline DiskEncounter encounter_of_disks(Vec2 r, const rule::Velocities& before, double m_i,
+                                                               double m_j, double e) noexcept {
+  const rule::Velocities after = rule::collide({.r = r, .v = before, .m1 = m_i, .m2 = m_j, .restitution = e});
+  return {r, after, length(rule::impulse_on_second(m_j, before, after))};
 }
 
 /// The same for disks of one mass. The rule asks for the ratio of the masses only, and a number divided by itself is 1.
-[[gnu::always_inline]] inline DiskEncounter encounter_of_equal_disks(const predict::Flight& i, const predict::Flight& j,
-                                                                     Vec2 shift, double mass, double e) noexcept {
-  const rule::Velocities before{i.velocity, j.velocity};
-  DiskEncounter encounter;
-  encounter.r = predict::separation(i, j, shift, i.time);
-  encounter.after = rule::collide({.r = encounter.r, .v = before, .m1 = 1, .m2 = 1, .restitution = e});
-  encounter.impulse = length(rule::impulse_on_second(mass, before, encounter.after));
-  return encounter;
+[[gnu::always_inline]] inline DiskEncounter encounter_of_equal_disks(Vec2 r, const rule::Velocities& before,
+                                                                     double mass, double e) noexcept {
+  const rule::Velocities after = rule::collide({.r = r, .v = before, .m1 = 1, .m2 = 1, .restitution = e});
+  return {r, after, length(rule::impulse_on_second(mass, before, after))};
 }
 
 /// One coordinate of a wall's contact: what the walls of a box need to know about it.

@@ -235,7 +235,8 @@ class ReferenceSolver final : public Solver {
     const Image image{event.image.x + turns_b.x - turns_a.x, event.image.y + turns_b.y - turns_a.y};
     const double last_contact = std::max(a.last_contact, b.last_contact);
     const DiskEncounter encounter =
-        encounter_of_disks(a.flight, b.flight, shift(image), system_.mass(event.i), system_.mass(event.j),
+        encounter_of_disks(separation_at_contact(a.flight.position, b.flight.position, shift(image)),
+                           {a.flight.velocity, b.flight.velocity}, system_.mass(event.i), system_.mass(event.j),
                            restitution_at(time, last_contact, system_.physics.restitution));
     a.flight.velocity = encounter.after.first;
     b.flight.velocity = encounter.after.second;

@@ -56,11 +56,9 @@ void Calendar::start(double length, double width, std::size_t ring) {
 void Calendar::insert_due(Due event) {
   if (event.time == settled_) settled_ = -1;
   if (count_ == due_.size()) due_.resize(2 * count_);
-  const auto end = due_.begin() + static_cast<std::ptrdiff_t>(count_);
-  const auto place = std::upper_bound(due_.begin(), end, event, comes_later);
-  std::move_backward(place, end, end + 1);
-  *place = event;
-  ++count_;
+  std::size_t place = count_++;  // most come late in the bucket of a few: from the end it is not far
+  for (; place > 0 && due_[place - 1].time < event.time; --place) due_[place] = due_[place - 1];
+  due_[place] = event;
 }
 
 void Calendar::spill(std::size_t slot) {

@@ -1,7 +1,7 @@
 // The loop over a window's events: predict, take the earliest, apply the rule, predict again.
 //
 // Included by a file that defines `TargetKernel` in namespace carom::fast::CAROM_TARGET and the macros CAROM_TARGET,
-// CAROM_INLINE, CAROM_BEGIN and CAROM_END.
+// CAROM_INLINE, CAROM_NOINLINE, CAROM_BEGIN and CAROM_END.
 #include "near-inl.hpp"
 
 CAROM_BEGIN
@@ -19,6 +19,7 @@ class Events {
         wraps_x_(work.system.box.periodic(0)),
         wraps_y_(work.system.box.periodic(1)),
         elastic_(work.system.physics.elastic()),
+        plainly_(elastic_ && work.log == nullptr),
         length_(work.length),
         mass_(work.mass(0)),
         sigma_(records_[0].radius + records_[0].radius) {}
@@ -44,7 +45,7 @@ class Events {
     for (Index k = 0; k < count; ++k) {
       Candidates near;
       if (near_.gather(k, near) != Look::plain ||
-          Kernel::template overlap<kOneKind>(records_, k, near.disks.data(), near.size)) {
+          Kernel::template overlap<kOneKind>(records_, k, near.disks, near.size)) {
         work_.note_overlaps_of(k);
       }
     }
@@ -113,11 +114,16 @@ class Events {
     Candidates near;
     const Look look = near_.gather(k, near);
     if (look == Look::plain) {
-      note(k, Kernel::template nearest<kOneKind>(records_, k, near.disks.data(), near.size));
-    } else if (look == Look::closer || !find_among_copies(k, near)) {
-      give_up(k);
-      near_.note(k, work_.settled_contact(k));
+      note(k, Kernel::template nearest<kOneKind>(records_, k, near.disks, near.size));
+    } else {
+      look_closer(k, near, look);
     }
+  }
+
+  CAROM_NOINLINE void look_closer(Index k, Candidates& near, Look look) {
+    if (look == Look::copies && find_among_copies(k, near)) return;
+    give_up(k);
+    near_.note(k, work_.settled_contact(k));
   }
 
   /// Returns false if a closer look is needed.
@@ -126,7 +132,7 @@ class Events {
     if (!near_.shift(k, near, shifts)) return false;
     int which = 0;
     const Nearest nearest =
-        Kernel::template nearest_copy<kOneKind>(records_, k, near.disks.data(), near.size, shifts, which);
+        Kernel::template nearest_copy<kOneKind>(records_, k, near.disks, near.size, shifts, which);
     if (nearest.tied) return false;
     give_up(k);
     if (nearest.time < length_) near_.set_partner_image(k, shifts.images[which]);
@@ -136,8 +142,13 @@ class Events {
 
   CAROM_INLINE void note(Index k, const Nearest& nearest) {
     give_up(k);
-    near_.note(k, nearest.tied ? work_.settled_contact(k) : nearest);
+    if (nearest.tied) {
+      note_tied(k);
+    } else {
+      near_.note(k, nearest);
+    }
   }
+  CAROM_NOINLINE void note_tied(Index k) { near_.note(k, work_.settled_contact(k)); }
 
   /// Before the event of disk k is replaced: its partner, if the calendar counts on k for both, is entered by itself.
   CAROM_INLINE void give_up(Index k) {
@@ -147,64 +158,56 @@ class Events {
     if (other.partner == k && other.next == own.next) calendar_.push(own.partner, other.next);
   }
 
-  [[gnu::flatten]] void collide(Index first, Index second, double time) {
-    // Without a branch: which id is smaller cannot be guessed.
-    const bool in_order = work_.ids[first] < work_.ids[second];
-    const Index i = choose(in_order, first, second);
-    const Index j = choose(in_order, second, first);
+  CAROM_INLINE void collide(Index first, Index second, double time) {
     // This event is being taken; it is not one that somebody else counts on.
     Record& other = records_[second];
     other.next = choose((other.partner == first) & (other.next == time), predict::kNever, other.next);
     records_[first].next = predict::kNever;
-    std::uint32_t generation = 0;
-    if (records_[i].t == time || records_[j].t == time) generation = work_.next_generation(i, j, time);
-
-    Image image = work_.partner_image(first);
-    const Image image_before = image;
-    const bool outside_i = carry(i, time);
-    const bool outside_j = carry(j, time);
-    if constexpr (Kernel::kSideBySide) {
-      if (!outside_i && !outside_j && collide_side_by_side(i, j, time, generation, image)) return;
+    // Without a branch: which id is smaller cannot be guessed.
+    const bool in_order = work_.ids[first] < work_.ids[second];
+    const Index i = choose(in_order, first, second);
+    const Index j = choose(in_order, second, first);
+    const Image image = near_.partner_image(first);
+    if constexpr (Kernel::kSideBySide && kOneKind) {
+      if (plainly_ && image == Image{} && collide_side_by_side(i, j, time)) return;
     }
-    if (outside_i || outside_j) {
-      const Image turns_i = outside_i ? work_.fold(i) : Image{};
-      const Image turns_j = outside_j ? work_.fold(j) : Image{};
-      image = {image.x + turns_j.x - turns_i.x, image.y + turns_j.y - turns_i.y};
-      const DiskEncounter encounter = part(i, j, time, image);
-      book(i, j, time, generation, image_before, encounter);
-      if (turns_i != Image{}) near_.folded(i, turns_i, time);
-      if (turns_j != Image{}) near_.folded(j, turns_j, time);
-    } else {
-      const DiskEncounter encounter = part(i, j, time, image);
-      book(i, j, time, generation, image_before, encounter);
-    }
-    predict(i);
-    predict(j);
+    collide_any(i, j, time, image);
   }
 
-  /// The collision and both predictions with their steps interleaved, so that one need not wait for the other. Returns
-  /// false, with nothing done, where one of the disks needs a closer look.
-  CAROM_INLINE bool collide_side_by_side(Index i, Index j, double time, std::uint32_t generation, Image image) {
+  /// The usual contact, with both predictions, whose steps are interleaved so that one need not wait for the other.
+  /// Returns false, with nothing done, where one of the disks needs a closer look.
+  CAROM_INLINE bool collide_side_by_side(Index i, Index j, double time) {
+    Record& a = records_[i];
+    Record& b = records_[j];
     Candidates near_i, near_j;
-    if (near_.gather(i, near_i) != Look::plain || near_.gather(j, near_j) != Look::plain) return false;
-    const auto others_i = Kernel::flights_of(records_, near_i.disks.data());
-    const auto others_j = Kernel::flights_of(records_, near_j.disks.data());
-    const DiskEncounter encounter = part(i, j, time, image);
-    if (!(rule::approach(encounter.r, encounter.after) >= 0)) {
-      book(i, j, time, generation, image, encounter);
-      predict(i);
-      predict(j);
-      return true;
+    const Look look_i = near_.gather(i, near_i);
+    const Look look_j = near_.gather(j, near_j);
+    predict::Flight flight_i = a.flight();
+    predict::Flight flight_j = b.flight();
+    const bool tied = (a.t == time) | (b.t == time);
+    flight_i.position = predict::position_at(flight_i, time);
+    flight_j.position = predict::position_at(flight_j, time);
+    if (tied | is_outside(flight_i.position) | is_outside(flight_j.position) | (look_i != Look::plain) |
+        (look_j != Look::plain)) {
+      return false;
     }
-    auto times_i = Kernel::template times_of<kOneKind>(Kernel::flights_of(records_[i]), others_i);
-    auto times_j = Kernel::template times_of<kOneKind>(Kernel::flights_of(records_[j]), others_j);
-    times_i = Kernel::without(times_i, near_i.disks.data(), j);
-    times_j = Kernel::without(times_j, near_j.disks.data(), i);
-    Nearest nearest_i = Kernel::nearest_of(times_i, near_i.disks.data());
-    Nearest nearest_j = Kernel::nearest_of(times_j, near_j.disks.data());
-    book(i, j, time, generation, image, encounter);
-    rest(i, near_i, nearest_i);
-    rest(j, near_j, nearest_j);
+    const auto others_i = Kernel::template flights_of<kOneKind>(records_, near_i.disks);
+    const auto others_j = Kernel::template flights_of<kOneKind>(records_, near_j.disks);
+    const DiskEncounter encounter =
+        encounter_of_equal_disks(separation_at_contact(flight_i.position, flight_j.position, {}),
+                                 {flight_i.velocity, flight_j.velocity}, mass_, 1);
+    if (!(rule::approach(encounter.r, encounter.after) >= 0)) return false;
+    move(a, flight_i.position, encounter.after.first, time);
+    move(b, flight_j.position, encounter.after.second, time);
+    auto times_i = Kernel::template times_of<kOneKind>(Kernel::flights_of(a), others_i);
+    auto times_j = Kernel::template times_of<kOneKind>(Kernel::flights_of(b), others_j);
+    times_i = Kernel::without(times_i, near_i.disks, j);
+    times_j = Kernel::without(times_j, near_j.disks, i);
+    Nearest nearest_i = Kernel::nearest_of(times_i, near_i.disks);
+    Nearest nearest_j = Kernel::nearest_of(times_j, near_j.disks);
+    book_equal(i, j, encounter);
+    if (near_i.size > Kernel::kLanesPerPass) nearest_i = earlier(nearest_i, nearest_of_rest(i, near_i));
+    if (near_j.size > Kernel::kLanesPerPass) nearest_j = earlier(nearest_j, nearest_of_rest(j, near_j));
     note(i, nearest_i);
     note(j, nearest_j);
     enter(i);
@@ -212,12 +215,37 @@ class Events {
     return true;
   }
 
-  /// The disks beyond the first pass.
-  CAROM_INLINE void rest(Index k, const Candidates& near, Nearest& nearest) {
+  CAROM_INLINE static void move(Record& own, Vec2 position, Vec2 velocity, double time) {
+    own.x = position.x;
+    own.y = position.y;
+    own.vx = velocity.x;
+    own.vy = velocity.y;
+    own.t = time;
+    ++own.events;
+  }
+
+  /// Among the candidates beyond the first pass.
+  CAROM_NOINLINE Nearest nearest_of_rest(Index k, const Candidates& near) {
     constexpr int kDone = Kernel::kLanesPerPass;
-    if (near.size <= kDone) return;
-    nearest =
-        earlier(nearest, Kernel::template nearest<kOneKind>(records_, k, near.disks.data() + kDone, near.size - kDone));
+    return Kernel::template nearest<kOneKind>(records_, k, near.disks + kDone, near.size - kDone);
+  }
+
+  /// Any contact; both predictions follow.
+  CAROM_NOINLINE void collide_any(Index i, Index j, double time, Image image) {
+    std::uint32_t generation = 0;
+    if (records_[i].t == time || records_[j].t == time) generation = work_.next_generation(i, j, time);
+    const Image image_before = image;
+    const bool outside_i = carry(i, time);
+    const bool outside_j = carry(j, time);
+    const Image turns_i = outside_i ? work_.fold(i) : Image{};
+    const Image turns_j = outside_j ? work_.fold(j) : Image{};
+    image = {image.x + turns_j.x - turns_i.x, image.y + turns_j.y - turns_i.y};
+    const DiskEncounter encounter = part(i, j, time, image);
+    book(i, j, time, generation, image_before, encounter);
+    if (turns_i != Image{}) near_.folded(i, turns_i, time);
+    if (turns_j != Image{}) near_.folded(j, turns_j, time);
+    predict(i);
+    predict(j);
   }
 
   /// Applies the rule to disks i and j, both at the time of contact.
@@ -231,36 +259,46 @@ class Events {
       work_.last_contact[i] = time;
       work_.last_contact[j] = time;
     }
-    const DiskEncounter encounter =
-        kOneKind ? encounter_of_equal_disks(a.flight(), b.flight(), shift_of(image, size_), mass_, restitution)
-                 : encounter_of_disks(a.flight(), b.flight(), shift_of(image, size_), work_.mass(i), work_.mass(j),
-                                      restitution);
-    a.vx = encounter.after.first.x;
-    a.vy = encounter.after.first.y;
-    b.vx = encounter.after.second.x;
-    b.vy = encounter.after.second.y;
-    ++a.events;
-    ++b.events;
+    const Vec2 r = separation_at_contact({a.x, a.y}, {b.x, b.y}, shift_of(image, size_));
+    const rule::Velocities before{{a.vx, a.vy}, {b.vx, b.vy}};
+    const DiskEncounter encounter = kOneKind
+                                        ? encounter_of_equal_disks(r, before, mass_, restitution)
+                                        : encounter_of_disks(r, before, work_.mass(i), work_.mass(j), restitution);
+    move(a, {a.x, a.y}, encounter.after.first, time);
+    move(b, {b.x, b.y}, encounter.after.second, time);
     return encounter;
+  }
+
+  CAROM_INLINE void book_equal(Index i, Index j, const DiskEncounter& encounter) {
+    const double virial = encounter.impulse * sigma_;
+    work_.virial[i] += 0.5 * virial;
+    work_.virial[j] += 0.5 * virial;
+    ++work_.collisions;
+    work_.least_distance_squared = std::min(work_.least_distance_squared, dot(encounter.r, encounter.r));
   }
 
   CAROM_INLINE void book(Index i, Index j, double time, std::uint32_t generation, Image image,
                          const DiskEncounter& encounter) {
-    const double sigma = kOneKind ? sigma_ : records_[i].radius + records_[j].radius;
-    const double virial = encounter.impulse * sigma;
-    work_.virial[i] += 0.5 * virial;
-    work_.virial[j] += 0.5 * virial;
-    ++work_.collisions;
-    const double distance_squared = dot(encounter.r, encounter.r);
     if constexpr (kOneKind) {
-      work_.least_distance_squared = std::min(work_.least_distance_squared, distance_squared);
-    } else if (distance_squared < sigma * sigma) {
-      work_.note_overlap((sigma - length(encounter.r)) / sigma);
+      book_equal(i, j, encounter);
+    } else {
+      const double sigma = records_[i].radius + records_[j].radius;
+      const double virial = encounter.impulse * sigma;
+      work_.virial[i] += 0.5 * virial;
+      work_.virial[j] += 0.5 * virial;
+      ++work_.collisions;
+      if (dot(encounter.r, encounter.r) < sigma * sigma) work_.note_overlap((sigma - length(encounter.r)) / sigma);
     }
     if (work_.log != nullptr) {
       work_.log->push_back(row_of_disks(time, generation, work_.ids[i], work_.ids[j], image,
                                         {records_[i].x, records_[i].y}, records_[i].radius, encounter));
     }
+  }
+
+  /// Whether the position has to be folded into the box. What lies inside stays as it is, to the bit.
+  [[nodiscard]] CAROM_INLINE bool is_outside(Vec2 position) const {
+    return (wraps_x_ & !((position.x > 0) & (position.x < size_.x))) |
+           (wraps_y_ & !((position.y > 0) & (position.y < size_.y)));
   }
 
   /// Free flight to `time`. Returns true if the position has to be folded into the box.
@@ -270,8 +308,7 @@ class Events {
     own.x = own.x + own.vx * dt;
     own.y = own.y + own.vy * dt;
     own.t = time;
-    // What lies inside stays as it is, to the bit.
-    return (wraps_x_ && !(own.x > 0 && own.x < size_.x)) || (wraps_y_ && !(own.y > 0 && own.y < size_.y));
+    return is_outside({own.x, own.y});
   }
 
   /// Asks for the lines that the events now due will read, and for those that have to be there to ask the same at the
@@ -293,6 +330,7 @@ class Events {
   Calendar& calendar_;
   const Vec2 size_;
   const bool wraps_x_, wraps_y_, elastic_;
+  const bool plainly_;  // contacts are elastic and nobody asks for them one by one
   const double length_;
   const double mass_;   // where all disks are of one kind
   const double sigma_;  // the same

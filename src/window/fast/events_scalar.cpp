@@ -15,6 +15,7 @@ using TargetKernel = ScalarKernel;
 
 #define CAROM_TARGET scalar
 #define CAROM_INLINE inline
+#define CAROM_NOINLINE [[gnu::noinline]]
 #define CAROM_BEGIN
 #define CAROM_END
 #include "events-inl.hpp"

@@ -22,7 +22,36 @@ Grid::Grid(const Box& box, const Extent& extent, double width, std::size_t point
   }
   columns_ = static_cast<std::size_t>(columns);
   far_ = {box.periodic(0) ? size.x / 2 : predict::kNever, box.periodic(1) ? size.y / 2 : predict::kNever};
-  first_.assign(columns_ * static_cast<std::size_t>(rows), -1);
+  slots_.assign(columns_ * static_cast<std::size_t>(rows) * kSlots, -1);
+}
+
+void Grid::insert(Index k, Vec2 point) {
+  const std::size_t cell = place_of(point);
+  Index* const slots = slots_.data() + cell * kSlots;
+  for (int m = 0; m < kSlots; ++m) {
+    if (slots[m] >= 0) continue;
+    slots[m] = k;
+    return;
+  }
+  surplus_[cell].push_back(k);
+}
+
+void Grid::remove(Index k, Vec2 point) {
+  const std::size_t cell = place_of(point);
+  Index* const slots = slots_.data() + cell * kSlots;
+  const auto surplus = slots[kSlots - 1] < 0 ? surplus_.end() : surplus_.find(cell);
+  Index* const here = std::find(slots, slots + kSlots, k);
+  if (surplus != surplus_.end()) {
+    // The last one of the surplus takes the place that becomes free.
+    std::vector<Index>& others = surplus->second;
+    (here < slots + kSlots ? *here : *std::find(others.begin(), others.end(), k)) = others.back();
+    others.pop_back();
+    if (others.empty()) surplus_.erase(surplus);
+    return;
+  }
+  Index* const end = std::find(slots, slots + kSlots, -1);
+  *here = *(end - 1);
+  *(end - 1) = -1;
 }
 
 }  // namespace carom::fast

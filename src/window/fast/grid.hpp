@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <unordered_map>
+#include <vector>
 
 #include "carom/state/system.hpp"
 #include "huge_pages.hpp"
@@ -52,27 +54,61 @@ class Grid {
   /// are not periodic: points may lie outside, at a price).
   Grid(const Box& box, const Extent& extent, double width, std::size_t points);
 
-  void insert(Index k, Vec2 point, Array<Index>& following) noexcept {
-    Index& first = first_[place_of(point)];
-    following[k] = first;
-    first = k;
+  void insert(Index k, Vec2 point);
+  void remove(Index k, Vec2 point);
+
+  /// Points found in one go, and room for what is written beyond the last.
+  struct Found {
+    static constexpr int kRoom = 128;
+    std::array<Index, kRoom> points;
+    int size = 0;
+  };
+  /// The points in the cells within `reach` of `centre`. Returns false where there is more to tell: copies, cells with
+  /// many points, too many cells.
+  bool find_near(Vec2 centre, double reach, Found& found) const noexcept {
+    const Range columns = range(axis_[0], centre.x, reach);
+    const Range rows = range(axis_[1], centre.y, reach);
+    const int slots = columns.count * kSlots;
+    if (!columns.inside || !rows.inside || slots * rows.count >= Found::kRoom) return false;
+    const Index* row =
+        slots_.data() +
+        (static_cast<std::size_t>(rows.first) * columns_ + static_cast<std::size_t>(columns.first)) * kSlots;
+    int size = 0;
+    int crowded = 0;
+    for (int b = 0; b < rows.count; ++b, row += columns_ * kSlots) {
+      for (int a = 0; a < slots; a += kSlots) {
+        for (int m = a; m < a + kSlots; ++m) {  // whether a slot is taken cannot be guessed: no branch asks
+          found.points[size] = row[m];
+          size += static_cast<int>(row[m] >= 0);
+        }
+        crowded |= static_cast<int>(row[a + kSlots - 1] >= 0);
+      }
+    }
+    found.size = size;
+    return crowded == 0;
   }
-  void remove(Index k, Vec2 point, Array<Index>& following) noexcept {
-    Index* link = &first_[place_of(point)];
-    while (*link != k) link = &following[*link];
-    *link = following[k];
-  }
+  /// Half the box: a point farther than that has a copy that is nearer (length).
+  [[nodiscard]] Vec2 far() const noexcept { return far_; }
 
   /// Calls visit(k, image) for every point whose copy at point + image L lies within `reach` of `centre` along both
   /// axes, and for some that lie farther. `point_of(k)` gives a point.
   template <class PointOf, class Visit>
-  void visit_near(Vec2 centre, double reach, const Array<Index>& following, PointOf point_of, Visit visit) const {
+  void visit_near(Vec2 centre, double reach, PointOf point_of, Visit visit) const {
     const Range columns = range(axis_[0], centre.x, reach);
     const Range rows = range(axis_[1], centre.y, reach);
-    if (columns.inside && rows.inside) {
-      visit_inside(columns, rows, centre, following, point_of, visit);
-    } else {
-      visit_anywhere(columns, rows, following, point_of, visit);
+    for (int b = 0; b < rows.count; ++b) {
+      const double row = rows.first + b;
+      const double turn_y = axis_[1].turn_of(row);
+      const std::size_t row_start = static_cast<std::size_t>(axis_[1].place_of(row, turn_y)) * columns_;
+      for (int a = 0; a < columns.count; ++a) {
+        const double column = columns.first + a;
+        const double turn_x = axis_[0].turn_of(column);
+        const auto place = static_cast<std::size_t>(axis_[0].place_of(column, turn_x));
+        for_points_in(row_start + place, [&](Index k) {
+          const Vec2 point = point_of(k);
+          visit(k, Image{image(axis_[0], turn_x, point.x), image(axis_[1], turn_y, point.y)});
+        });
+      }
     }
   }
 
@@ -89,43 +125,16 @@ class Grid {
     return {first, static_cast<int>(count), first >= 0 && first + count <= axis.count};
   }
 
-  template <class PointOf, class Visit>
-  void visit_inside(const Range& columns, const Range& rows, Vec2 centre, const Array<Index>& following,
-                    PointOf point_of, Visit visit) const {
-    const Index* row =
-        first_.data() + static_cast<std::size_t>(rows.first) * columns_ + static_cast<std::size_t>(columns.first);
-    for (int b = 0; b < rows.count; ++b, row += columns_) {
-      for (int a = 0; a < columns.count; ++a) {
-        for (Index k = row[a]; k >= 0; k = following[k]) {
-          const Vec2 point = point_of(k);
-          // A point in these cells is near, or it lies beyond a seam and a copy of it is.
-          if (std::abs(point.x - centre.x) < far_.x && std::abs(point.y - centre.y) < far_.y) {
-            visit(k, Image{});
-          } else {
-            visit(k, Image{image(axis_[0], 0, point.x), image(axis_[1], 0, point.y)});
-          }
-        }
-      }
-    }
-  }
+  static constexpr int kSlots = 5;  // per cell; the last one is taken last
 
-  template <class PointOf, class Visit>
-  void visit_anywhere(const Range& columns, const Range& rows, const Array<Index>& following, PointOf point_of,
-                      Visit visit) const {
-    for (int b = 0; b < rows.count; ++b) {
-      const double row = rows.first + b;
-      const double turn_y = axis_[1].turn_of(row);
-      const std::size_t row_start = static_cast<std::size_t>(axis_[1].place_of(row, turn_y)) * columns_;
-      for (int a = 0; a < columns.count; ++a) {
-        const double column = columns.first + a;
-        const double turn_x = axis_[0].turn_of(column);
-        const auto place = static_cast<std::size_t>(axis_[0].place_of(column, turn_x));
-        for (Index k = first_[row_start + place]; k >= 0; k = following[k]) {
-          const Vec2 point = point_of(k);
-          visit(k, Image{image(axis_[0], turn_x, point.x), image(axis_[1], turn_y, point.y)});
-        }
-      }
-    }
+  template <class Visit>
+  void for_points_in(std::size_t cell, Visit visit) const {
+    const Index* const slots = slots_.data() + cell * kSlots;
+    for (int m = 0; m < kSlots && slots[m] >= 0; ++m) visit(slots[m]);
+    if (slots[kSlots - 1] < 0 || surplus_.empty()) return;
+    const auto found = surplus_.find(cell);
+    if (found == surplus_.end()) return;
+    for (const Index k : found->second) visit(k);
   }
 
   [[nodiscard]] static std::int32_t image(const GridAxis& axis, double turn, double coordinate) noexcept {
@@ -143,8 +152,9 @@ class Grid {
 
   std::array<GridAxis, 2> axis_;
   std::size_t columns_ = 1;
-  Vec2 far_;            // half the box: a point farther than that has a copy that is nearer
-  Array<Index> first_;  // point of each cell; the others follow it
+  Vec2 far_;
+  Array<Index> slots_;  // kSlots of each cell, the taken ones first; -1 where there is no point
+  std::unordered_map<std::size_t, std::vector<Index>> surplus_;  // points that found no slot in their cell
 };
 
 }  // namespace carom::fast

@@ -50,12 +50,63 @@ HWY_INLINE void load_pairs(const Record* records, const Index* disks, std::size_
   b = hn::InterleaveUpper(d, even, odd);
 }
 
+#if HWY_TARGET == HWY_AVX3
+/// x, y, vx and vy of two disks.
+HWY_INLINE Vector load_rows(const Record* records, Index low, Index high) {
+  const Doubles d;
+  const hn::Half<Doubles> half;
+  return hn::Combine(d, hn::Load(half, &records[high].x), hn::Load(half, &records[low].x));
+}
+#endif
+
 HWY_INLINE Flights load_flights(const Record* records, const Index* disks) {
   Flights flights;
+  load_pairs(records, disks, offsetof(Record, t), flights.t, flights.radius);
+#if HWY_TARGET == HWY_AVX3
+  const Doubles d;
+  const Vector a = load_rows(records, disks[0], disks[2]);
+  const Vector b = load_rows(records, disks[1], disks[3]);
+  const Vector e = load_rows(records, disks[4], disks[6]);
+  const Vector f = load_rows(records, disks[5], disks[7]);
+  const Vector x_low = hn::InterleaveLower(d, a, b);  // x0 x1 vx0 vx1 x2 x3 vx2 vx3
+  const Vector x_high = hn::InterleaveLower(d, e, f);
+  const Vector y_low = hn::InterleaveUpper(d, a, b);
+  const Vector y_high = hn::InterleaveUpper(d, e, f);
+  constexpr int kEvenBlocks = 0x88;  // of 16 bytes: 0 and 2 of either
+  constexpr int kOddBlocks = 0xDD;
+  flights.x = Vector{_mm512_shuffle_f64x2(x_low.raw, x_high.raw, kEvenBlocks)};
+  flights.vx = Vector{_mm512_shuffle_f64x2(x_low.raw, x_high.raw, kOddBlocks)};
+  flights.y = Vector{_mm512_shuffle_f64x2(y_low.raw, y_high.raw, kEvenBlocks)};
+  flights.vy = Vector{_mm512_shuffle_f64x2(y_low.raw, y_high.raw, kOddBlocks)};
+#elif HWY_TARGET == HWY_AVX2
+  const Doubles d;
+  const Vector a = hn::Load(d, &records[disks[0]].x);
+  const Vector b = hn::Load(d, &records[disks[1]].x);
+  const Vector e = hn::Load(d, &records[disks[2]].x);
+  const Vector f = hn::Load(d, &records[disks[3]].x);
+  const Vector x_low = hn::InterleaveLower(d, a, b);  // x0 x1 vx0 vx1
+  const Vector x_high = hn::InterleaveLower(d, e, f);
+  const Vector y_low = hn::InterleaveUpper(d, a, b);
+  const Vector y_high = hn::InterleaveUpper(d, e, f);
+  flights.x = hn::ConcatLowerLower(d, x_high, x_low);
+  flights.vx = hn::ConcatUpperUpper(d, x_high, x_low);
+  flights.y = hn::ConcatLowerLower(d, y_high, y_low);
+  flights.vy = hn::ConcatUpperUpper(d, y_high, y_low);
+#else
   load_pairs(records, disks, offsetof(Record, x), flights.x, flights.y);
   load_pairs(records, disks, offsetof(Record, vx), flights.vx, flights.vy);
-  load_pairs(records, disks, offsetof(Record, t), flights.t, flights.radius);
+#endif
   return flights;
+}
+
+/// Has what has been loaded wait in registers. Left alone, the compiler keeps the parts that vectors are put together
+/// from, has no registers for so many, and sends them through memory.
+HWY_INLINE void hold(Vector& v) {
+#if HWY_TARGET == HWY_AVX3 && (HWY_COMPILER_GCC || HWY_COMPILER_CLANG)
+  asm volatile("" : "+v"(v.raw));
+#else
+  (void)v;
+#endif
 }
 
 /// What is added to positions so that copies stand where they are.
@@ -131,22 +182,39 @@ struct VectorKernel {
   /// The same times but for `met`: the two have just met, and part.
   static HWY_INLINE Vector without(Vector times, const Index* near, Index met) {
     const Doubles d;
+#if HWY_TARGET == HWY_AVX3
+    const hn::FixedTag<std::int32_t, kLanes> d32;
+    const Lanes parting = Lanes{hn::Eq(hn::LoadU(d32, near), hn::Set(d32, met)).raw};
+#else
     const hn::Rebind<std::int64_t, Doubles> d64;
     const hn::Rebind<std::int32_t, Doubles> d32;
     const auto disks = hn::PromoteTo(d64, hn::LoadU(d32, near));
     const Lanes parting = hn::RebindMask(d, hn::Eq(disks, hn::Set(d64, met)));
+#endif
     return hn::IfThenElse(parting, hn::Set(d, predict::kNever), times);
+  }
+
+  /// One bit per lane.
+  static HWY_INLINE unsigned bits_of(Lanes lanes) {
+#if HWY_TARGET == HWY_AVX3
+    return lanes.raw;
+#else
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(Doubles(), lanes, bits);
+    return bits[0];
+#endif
   }
 
   static HWY_INLINE Nearest nearest_of(Vector times, const Index* near) {
     const Doubles d;
+    const Vector least = hn::MinOfLanes(d, times);
     Nearest best;
-    best.time = hn::GetLane(hn::MinOfLanes(d, times));
-    const Lanes here = hn::Eq(times, hn::Set(d, best.time));
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, here, bits);
-    best.partner = near[__builtin_ctz(static_cast<unsigned>(bits[0]) | (1U << (kLanes - 1)))];
-    best.tied = static_cast<int>(best.time < predict::kNever) & static_cast<int>(hn::CountTrue(d, here) > 1);
+    best.time = hn::GetLane(least);
+    const unsigned here = bits_of(hn::Eq(times, least)) | (1U << kLanes);
+    best.partner = near[__builtin_ctz(here) & (kLanes - 1)];
+    // Times are never NaN, so that one lane at least is the least.
+    best.tied = static_cast<int>(best.time < predict::kNever) &
+                static_cast<int>((here & (here - 1)) != (1U << kLanes));
     return best;
   }
 
@@ -202,7 +270,18 @@ struct VectorKernel {
     return false;
   }
 
-  static HWY_INLINE Flights flights_of(const Record* records, const Index* near) { return load_flights(records, near); }
+  /// The flights of the first kLanes candidates, in registers.
+  template <bool kOneRadius>
+  static HWY_INLINE Flights flights_of(const Record* records, const Index* near) {
+    Flights flights = load_flights(records, near);
+    hold(flights.x);
+    hold(flights.y);
+    hold(flights.vx);
+    hold(flights.vy);
+    hold(flights.t);
+    if constexpr (!kOneRadius) hold(flights.radius);
+    return flights;
+  }
   static HWY_INLINE Flights flights_of(const Record& record) { return same_flights(record); }
 
   /// Appends to `near` the disks other than k in `count` neighbouring slots, at most 15 of them; 16 can be read.

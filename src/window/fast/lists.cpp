@@ -13,8 +13,7 @@ Lists::Lists(const System& system, const Extent& extent, double shell, double sl
       shell_(shell),
       slack_(slack),
       leash_(shell / 2),
-      lists_(records.size()),
-      following_(records.size(), -1) {
+      lists_(records.size()) {
   make_levels(system, extent);
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
     const Vec2 place = predict::position_at(records[k].flight(), time);
@@ -22,7 +21,7 @@ Lists::Lists(const System& system, const Extent& extent, double shell, double sl
     lists_[k].y = place.y;
     lists_[k].traits = 0;
     clear(k);
-    levels_[level_of(records[k].radius)].grid.insert(k, centre(k), following_);
+    levels_[level_of(records[k].radius)].grid.insert(k, centre(k));
   }
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) look_around(k, false);
 }
@@ -71,33 +70,72 @@ void Lists::make_levels(const System& system, const Extent& extent) {
 void Lists::renew(Index k, Vec2 place) {
   Grid& grid = levels_[level_of(records_[k].radius)].grid;
   for_neighbours(k, [&](const Neighbour& neighbour) { drop(neighbour.disk, k); });
-  grid.remove(k, centre(k), following_);
+  grid.remove(k, centre(k));
   clear(k);
   lists_[k].x = place.x;
   lists_[k].y = place.y;
   look_around(k, true);
-  grid.insert(k, place, following_);
+  grid.insert(k, place);
 }
 
 void Lists::look_around(Index k, bool both_ways) {
-  const double radius = records_[k].radius;
-  const Vec2 here = centre(k);
   for (const Level& level : levels_) {
     if (level.largest_radius == 0) continue;
-    const double reach = radius + level.largest_radius + shell_ + slack_;
-    level.grid.visit_near(
-        here, reach, following_, [&](Index other) { return centre(other); },
-        [&](Index other, Image image) {
-          Vec2 r = centre(other) - here;
-          if (image != Image{}) r = r + Vec2{image.x * box_.size.x, image.y * box_.size.y};
-          const double range = one_radius_ ? reach : radius + records_[other].radius + shell_ + slack_;
-          if (!(dot(r, r) < range * range) || other == k) return;
-          if (image != Image{} && ids_[other] < ids_[k]) image = {-image.x, -image.y};
-          add(k, {other, image});
-          if (both_ways) add(other, {k, image});
-        });
+    Grid::Found found;
+    const double reach = records_[k].radius + level.largest_radius + shell_ + slack_;
+    if (!level.grid.find_near(centre(k), reach, found) || !take_near(k, reach, level.grid.far(), found, both_ways)) {
+      look_around_at(level, k, reach, both_ways);
+    }
   }
   if (near_wall(k)) lists_[k].traits |= List::kNearWall;
+}
+
+/// Enters those of the found disks that are near. Returns false, with nothing done, if one may lie beyond a seam.
+bool Lists::take_near(Index k, double reach, Vec2 far, Grid::Found& found, bool both_ways) {
+  const int size = one_radius_ ? keep_near<true>(k, reach, far, found) : keep_near<false>(k, reach, far, found);
+  if (size < 0) return false;
+  for (int m = 0; m < size; ++m) {
+    add(k, {found.points[m], {}});
+    if (both_ways) add(found.points[m], {k, {}});
+  }
+  return true;
+}
+
+/// Keeps those of the found disks that are near, and says how many; -1 if one may lie beyond a seam.
+template <bool kOneRadius>
+int Lists::keep_near(Index k, double reach, Vec2 far, Grid::Found& found) const {
+  const Vec2 here = centre(k);
+  const double radius = records_[k].radius;
+  double farthest = 0;
+  int size = 0;
+  for (int m = 0; m < found.size; ++m) {
+    const Index other = found.points[m];
+    const Vec2 r = centre(other) - here;
+    const double distance_squared = dot(r, r);
+    const double range = kOneRadius ? reach : radius + records_[other].radius + shell_ + slack_;
+    farthest = std::max(farthest, distance_squared);
+    found.points[size] = other;  // kept if it is near, which cannot be guessed: no branch asks
+    size += static_cast<int>(distance_squared < range * range) & static_cast<int>(other != k);
+  }
+  const double least = std::min(far.x, far.y);
+  return farthest < least * least ? size : -1;
+}
+
+/// The same for any disks, copies too.
+void Lists::look_around_at(const Level& level, Index k, double reach, bool both_ways) {
+  const Vec2 here = centre(k);
+  const double radius = records_[k].radius;
+  level.grid.visit_near(
+      here, reach, [&](Index other) { return centre(other); },
+      [&](Index other, Image image) {
+        Vec2 r = centre(other) - here;
+        if (image != Image{}) r = r + Vec2{image.x * box_.size.x, image.y * box_.size.y};
+        const double range = radius + records_[other].radius + shell_ + slack_;
+        if (!(dot(r, r) < range * range) || other == k) return;
+        if (image != Image{} && ids_[other] < ids_[k]) image = {-image.x, -image.y};
+        add(k, {other, image});
+        if (both_ways) add(other, {k, image});
+      });
 }
 
 bool Lists::near_wall(Index k) const noexcept {
@@ -151,12 +189,11 @@ void Lists::drop(Index k, Index disk) {
     std::erase_if(long_[list.near[0]].neighbours, [disk](const Neighbour& other) { return other.disk == disk; });
     return;
   }
-  for (int m = 0; m < list.count; ++m) {
-    if (list.near[m] != disk) continue;
-    list.near[m] = list.near[--list.count];
-    list.near[list.count] = k;
-    return;
-  }
+  int place = -1;
+  for (int m = 0; m < List::kRoom; ++m) place = list.near[m] == disk ? m : place;
+  if (place < 0) return;
+  list.near[place] = list.near[--list.count];
+  list.near[list.count] = k;
 }
 
 }  // namespace carom::fast

@@ -20,6 +20,7 @@ namespace carom::fast {
 /// repeats the disk itself, which never meets itself. With traits, Lists::neighbours has to be asked.
 struct alignas(64) List {
   static constexpr std::uint16_t kRoom = 10;
+  static constexpr std::uint16_t kReadable = 8;  ///< so many can be read where they are, in whole vectors
   static constexpr std::uint16_t kLong = 1;      ///< too many disks, or copies across a seam; near[0] tells where
   static constexpr std::uint16_t kNearWall = 2;  ///< a wall is within reach
 
@@ -73,10 +74,20 @@ class Lists {
     Image partner_image;
   };
 
+  /// Disks of similar size share a grid.
+  struct Level {
+    double largest_radius = 0;
+    Grid grid;
+  };
+
   [[nodiscard]] Vec2 centre(Index k) const noexcept { return {lists_[k].x, lists_[k].y}; }
   [[nodiscard]] std::size_t level_of(double radius) const noexcept;
   void make_levels(const System& system, const Extent& extent);
   void look_around(Index k, bool both_ways);
+  bool take_near(Index k, double reach, Vec2 far, Grid::Found& found, bool both_ways);
+  template <bool kOneRadius>
+  [[nodiscard]] int keep_near(Index k, double reach, Vec2 far, Grid::Found& found) const;
+  void look_around_at(const Level& level, Index k, double reach, bool both_ways);
   [[nodiscard]] bool near_wall(Index k) const noexcept;
   void clear(Index k);
   void add(Index k, Neighbour neighbour) {
@@ -102,15 +113,9 @@ class Lists {
   std::vector<Long> long_;
   std::vector<Index> free_;  // places in long_
 
-  /// Disks of similar size share a grid.
-  struct Level {
-    double largest_radius = 0;
-    Grid grid;
-  };
   double smallest_radius_ = 0;
   bool one_radius_ = true;
   std::vector<Level> levels_;
-  Array<Index> following_;
 };
 
 }  // namespace carom::fast

@@ -10,11 +10,12 @@
 CAROM_BEGIN
 namespace carom::fast::CAROM_TARGET {
 
-/// Disks near a disk, with room for what vector stores write beyond the last.
+/// Disks near a disk, followed by the disk itself as often as a vector has lanes.
 struct Candidates {
   static constexpr int kRoom = 64;
-  alignas(64) std::array<Index, kRoom> disks;
+  const Index* disks = room.data();
   int size = 0;
+  alignas(64) std::array<Index, kRoom> room;  // and for what vector stores write beyond the last
 };
 
 /// How gathered candidates have to be looked at.
@@ -36,14 +37,37 @@ class NearFromLists {
 
   CAROM_INLINE Look gather(Index k, Candidates& near) const {
     const List& list = lists_[k];
-    std::copy(list.near.begin(), list.near.end(), near.disks.begin());
     near.size = list.count;
-    Kernel::pad(k, near.disks.data(), List::kRoom);
-    return list.traits == 0 ? Look::plain : Look::closer;
+    if (list.count <= List::kReadable) {
+      near.disks = list.near.data();
+    } else {
+      std::copy(list.near.begin(), list.near.end(), near.room.begin());
+      Kernel::pad(k, near.room.data(), List::kRoom);
+    }
+    return list.traits == 0 ? Look::plain : list.traits == List::kLong ? Look::copies : Look::closer;
   }
 
-  bool shift(Index /*k*/, Candidates& /*near*/, Shifts& /*shifts*/) const { return false; }  // lists know no copies
-  void set_partner_image(Index /*k*/, Image /*image*/) {}
+  /// Returns false if that is not all there is to know.
+  bool shift(Index k, Candidates& near, Shifts& shifts) const {
+    near.size = 0;
+    bool all = true;
+    lists_.for_neighbours(k, [&](const Neighbour& neighbour) {
+      if (near.size == Candidates::kRoom - 16) {
+        all = false;
+        return;
+      }
+      const bool first = work_.ids[k] < work_.ids[neighbour.disk];
+      const Image copy = first ? neighbour.image : Image{-neighbour.image.x, -neighbour.image.y};
+      shifts.set(near.size, copy, first, work_.system.box.size);
+      near.room[near.size++] = neighbour.disk;
+    });
+    near.disks = near.room.data();
+    Kernel::pad(k, near.room.data(), near.size);
+    for (int m = near.size; m < near.size + Kernel::kLanesPerPass; ++m) shifts.set(m, {}, true, {});
+    return all;
+  }
+  void set_partner_image(Index k, Image image) { lists_.set_partner_image(k, image); }
+  [[nodiscard]] Image partner_image(Index k) const { return lists_.partner_image(k); }
 
   [[nodiscard]] std::uint32_t partner_events(Index k) const { return lists_[k].partner_events; }
 
@@ -113,7 +137,7 @@ class NearFromCells {
     const Index* row = cells_.slots(place.column - 1, place.row - 1);
     bool plain = true;
     for (int b = 0; b < 3; ++b, row += row_stride_) {
-      plain &= Kernel::template collect<3 * Cells::kSlots>(row, k, near.disks.data(), near.size);
+      plain &= Kernel::template collect<3 * Cells::kSlots>(row, k, near.room.data(), near.size);
     }
     return look(k, place, near, plain);
   }
@@ -126,13 +150,14 @@ class NearFromCells {
       if (!Slot::says_all(slot)) return false;
       const Index other = Slot::disk(slot);
       const Image copy = Slot::image(slot);
-      near.disks[m] = other;
+      near.room[m] = other;
       shifts.set(m, {copy.x + own.x, copy.y + own.y}, work_.ids[k] < work_.ids[other], size_);
     }
     for (int m = near.size; m < near.size + Kernel::kLanesPerPass; ++m) shifts.set(m, {}, true, size_);
     return true;
   }
   void set_partner_image(Index k, Image image) { cells_.set_partner_image(k, image); }
+  [[nodiscard]] Image partner_image(Index k) const { return cells_.partner_image(k); }
 
   [[nodiscard]] std::uint32_t partner_events(Index k) const { return cells_[k].partner_events; }
 
@@ -162,11 +187,11 @@ class NearFromCells {
     const std::ptrdiff_t step = Cells::kSlots + (row_stride_ - Cells::kSlots) * (1 - upwards);
     bool plain = true;
     for (int m = 0; m < 3; ++m, cell += step) {
-      plain &= Kernel::template collect<Cells::kSlots>(cell, k, near.disks.data(), near.size);
+      plain &= Kernel::template collect<Cells::kSlots>(cell, k, near.room.data(), near.size);
     }
     if (!plain) return false;
-    Kernel::pad(k, near.disks.data(), near.size);
-    const Nearest nearest = Kernel::template nearest<kOneKind>(records_, k, near.disks.data(), near.size);
+    Kernel::pad(k, near.room.data(), near.size);
+    const Nearest nearest = Kernel::template nearest<kOneKind>(records_, k, near.disks, near.size);
     if (nearest.time < place.contact) {
       if (nearest.tied) return false;
       cells_.set_partner_image(k, {});
@@ -189,7 +214,7 @@ class NearFromCells {
 
  private:
   CAROM_INLINE Look look(Index k, Place& place, Candidates& near, bool plain) {
-    Kernel::pad(k, near.disks.data(), near.size);
+    Kernel::pad(k, near.room.data(), near.size);
     if (near.size > Candidates::kRoom - 16 || (place.traits & Place::kNearWall) != 0) return Look::closer;
     place.traits = static_cast<std::uint8_t>(place.traits & ~Place::kHasImage);
     return plain && place.traits == Place::kPlain ? Look::plain : Look::copies;
