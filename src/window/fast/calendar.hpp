@@ -21,50 +21,34 @@ struct Due {
 /// has another event by now is dropped when its bucket's turn comes, or when it is taken.
 ///
 /// Buckets ahead of the current one stand in a ring; events beyond the ring wait until the ring has gone round once.
-/// A contact that is the next event of both its disks is taken over once when its bucket's turn comes: whoever changes
-/// the event of one of the two from then on must enter the other again (see due_before()).
+/// A contact that is the next event of both its disks needs to be entered for one of them only; whoever changes the
+/// event of that one must then enter the other.
 class Calendar {
  public:
-  /// Empties the calendar for a window of this length, with buckets of this width, `ring` of them at hand.
+  /// Empties the calendar for a window of this length, with buckets of this width, at least `ring` of them at hand.
   void start(double length, double width, std::size_t ring);
-  /// Between windows nothing is due.
-  void stop() noexcept { due_before_ = -1; }
 
   /// Enters the disk's event at `time`, before the window's end.
   void push(Index disk, double time) {
     ++pushed_;
     const std::int64_t bucket = bucket_of(time);
-    if (bucket <= current_) {
-      insert_due({time, disk});
+    if (static_cast<std::uint64_t>(bucket - current_ - 1) >= static_cast<std::uint64_t>(mask_)) {
+      push_elsewhere(disk, time);
       return;
     }
-    std::size_t slot = static_cast<std::size_t>(bucket - lap_start_);
-    if (bucket - std::max(current_, lap_start_) >= static_cast<std::int64_t>(ring_.size())) {
-      beyond_.push_back(disk);
-      return;
-    }
-    if (slot >= ring_.size()) slot -= ring_.size();
-    // The counts stand apart from the buckets: they are few enough to stay in the cache, and nothing need wait for the
-    // bucket's line to arrive.
-    std::uint8_t& count = counts_[slot];
-    if (count == Bucket::kRoom) spill(slot);
-    ring_[slot].disks[count++] = disk;
+    put(disk, bucket);
   }
 
   // --- the events of the current bucket ---------------------------------------------------------------------
 
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
-  [[nodiscard]] Due first() const noexcept { return due_[count_ - 1]; }
+  [[nodiscard]] Due first() const noexcept { return due_[count_]; }
   void drop_first() noexcept { --count_; }
   /// Whether another event comes at the time of the first one.
-  [[nodiscard]] bool is_tied() const noexcept {
-    return (count_ > 1) & (due_[std::max(count_, std::size_t{2}) - 2].time == due_[count_ - 1].time);
-  }
-  /// All of them have earlier times than this.
-  [[nodiscard]] double due_before() const noexcept { return due_before_; }
+  [[nodiscard]] bool is_tied() const noexcept { return due_[count_ - 1].time == due_[count_].time; }
   template <class Visit>
   void for_due(Visit visit) const {
-    for (std::size_t k = 0; k < count_; ++k) visit(due_[k].disk);
+    for (std::size_t k = 1; k <= count_; ++k) visit(due_[k].disk);
   }
 
   /// Makes the next bucket that holds events the current one, sorts it, and returns true; false at the window's end.
@@ -76,12 +60,12 @@ class Calendar {
   bool settle_tie(const Array<Record>& records, ComesBefore comes_before) {
     const double time = first().time;
     if (settled_ == time) return false;
-    const auto end = due_.begin() + static_cast<std::ptrdiff_t>(count_);
+    const auto end = due_.begin() + 1 + static_cast<std::ptrdiff_t>(count_);
     auto begin = end;
-    while (begin != due_.begin() && (begin - 1)->time == time) --begin;
+    while ((begin - 1)->time == time) --begin;
     const auto kept = std::remove_if(begin, end, [&](const Due& e) { return records[e.disk].next != time; });
     std::sort(begin, kept, [&](const Due& a, const Due& b) { return comes_before(b.disk, a.disk); });
-    count_ = static_cast<std::size_t>(kept - due_.begin());
+    count_ = static_cast<std::size_t>(kept - due_.begin()) - 1;
     settled_ = time;
     return true;
   }
@@ -89,9 +73,8 @@ class Calendar {
   /// Disks of a bucket some turns ahead, for prefetching.
   template <class Visit>
   void peek(std::int64_t ahead, Visit visit) const {
-    if (current_ + ahead > last_ || ahead >= static_cast<std::int64_t>(ring_.size())) return;
-    std::size_t slot = static_cast<std::size_t>(current_ + ahead - lap_start_);
-    if (slot >= ring_.size()) slot -= ring_.size();
+    if (current_ + ahead > last_ || ahead > mask_) return;
+    const auto slot = static_cast<std::size_t>((current_ + ahead) & mask_);
     const Bucket& bucket = ring_[slot];
     for (int k = 0; k < counts_[slot]; ++k) visit(bucket.disks[k]);
   }
@@ -110,8 +93,22 @@ class Calendar {
   [[nodiscard]] std::int64_t bucket_of(double time) const noexcept {
     return std::min(static_cast<std::int64_t>(time * inverse_width_), last_);
   }
+  /// Puts the disk into a bucket that stands in the ring.
+  void put(Index disk, std::int64_t bucket) {
+    // The counts stand apart from the buckets: they are few enough to stay in the cache, and nothing need wait for the
+    // bucket's line to arrive.
+    const auto slot = static_cast<std::size_t>(bucket & mask_);
+    const std::uint8_t count = counts_[slot];
+    if (count == Bucket::kRoom) {
+      spill(slot, disk);
+      return;
+    }
+    ring_[slot].disks[count] = disk;
+    counts_[slot] = static_cast<std::uint8_t>(count + 1);
+  }
+  void push_elsewhere(Index disk, double time);
   void insert_due(Due event);
-  void spill(std::size_t slot);
+  void spill(std::size_t slot, Index disk);
   void collect(const Bucket& bucket, std::uint8_t count, const Array<Record>& records);
   void begin_lap(const Array<Record>& records);
   void sort_due();
@@ -119,9 +116,9 @@ class Calendar {
   double length_ = 0;  // of the window
   double width_ = 0;
   double inverse_width_ = 0;
-  std::int64_t last_ = -1;      // bucket of the window
-  std::int64_t current_ = -1;   // bucket whose events are due
-  std::int64_t lap_start_ = 0;  // bucket in ring_[0]
+  std::int64_t last_ = -1;     // bucket of the window
+  std::int64_t current_ = -1;  // bucket whose events are due
+  std::int64_t mask_ = 0;      // the ring's size, a power of two, minus one
   std::uint64_t pushed_ = 0;
   Array<Bucket> ring_;
   Array<std::uint8_t> counts_;  // of disks in each bucket of the ring
@@ -129,9 +126,8 @@ class Calendar {
   std::vector<std::uint32_t> free_;  // places in spilled_
   std::vector<Index> beyond_;        // disks whose event lies beyond the ring
 
-  std::vector<Due> due_;  // the first count_ of them, latest first; the rest is room
+  std::vector<Due> due_;  // one at infinity, then count_ that are due, latest first; the rest is room
   std::size_t count_ = 0;
-  double due_before_ = -1;
   double settled_ = -1;  // time of the tie whose events are in order
 };
 

@@ -45,8 +45,15 @@ Cells::Cells(const System& system, double width, double slack, const Array<Recor
   };
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
     places_[k] = {
-        predict::kNever, kNobody, 0, cell_at(records[k].x, width_.x, columns_), cell_at(records[k].y, width_.y, rows_),
-        Place::kPlain,   0};
+        .contact = predict::kNever,
+        .partner = kNobody,
+        .partner_events = 0,
+        .column = cell_at(records[k].x, width_.x, columns_),
+        .row = cell_at(records[k].y, width_.y, rows_),
+        .cell = 0,
+        .traits = Place::kPlain,
+        .exit = 0,
+    };
     note_walls(k);
     insert(k);
   }
@@ -86,8 +93,9 @@ void Cells::write_slots(std::int32_t column, std::int32_t row) noexcept {
 }
 
 void Cells::insert(Index k) {
-  const Place& place = places_[k];
-  const Index* cell = slots(place.column, place.row);
+  Place& place = places_[k];
+  place.cell = static_cast<std::int32_t>(number_of(place.column, place.row) * kSlots);
+  const Index* cell = slots(place);
   unsigned empty = 0;
   for (unsigned m = 0; m < kSlots; ++m) empty |= static_cast<unsigned>(cell[m] < 0) << m;
   if (empty != 0) {
@@ -100,7 +108,7 @@ void Cells::insert(Index k) {
 
 void Cells::remove(Index k) {
   const Place& place = places_[k];
-  const Index* cell = slots(place.column, place.row);
+  const Index* cell = slots(place);
   unsigned here = 0;
   unsigned taken = 0;
   for (unsigned m = 0; m < kSlots; ++m) {

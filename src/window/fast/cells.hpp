@@ -22,10 +22,11 @@ struct alignas(32) Place {
   static constexpr std::uint8_t kElsewhere = 2;  ///< has flown over a seam: its stored position is in another copy
   static constexpr std::uint8_t kHasImage = 4;   ///< its next contact is with a copy
 
-  double contact;                ///< time of its earliest known contact; kNever if there is none (time)
-  Index partner;                 ///< with whom
+  double contact;  ///< time of its earliest known contact; from the window's end on it does not count (time)
+  Index partner;   ///< with whom
   std::uint32_t partner_events;  ///< the partner's contacts in this window when that was predicted
   std::int32_t column, row;
+  std::int32_t cell;  ///< where the slots of the cell begin
   std::uint8_t traits;
   std::uint8_t exit;  ///< through which side it leaves the cell: as Wall
 };
@@ -81,13 +82,17 @@ class Cells {
   [[nodiscard]] Index* slots(std::int32_t column, std::int32_t row) noexcept {
     return slots_.data() + number_of(column, row) * kSlots;
   }
+  [[nodiscard]] Index* slots(const Place& place) noexcept { return slots_.data() + place.cell; }
+  [[nodiscard]] const Index* slots(const Place& place) const noexcept { return slots_.data() + place.cell; }
   [[nodiscard]] std::ptrdiff_t row_stride() const noexcept {
     return (static_cast<std::ptrdiff_t>(columns_) + 2) * kSlots;
   }
   [[nodiscard]] Vec2 width() const noexcept { return width_; }
   /// Whether the cell is outermost in the box: it may have copies in the border.
   [[nodiscard]] bool is_outermost(std::int32_t column, std::int32_t row) const noexcept {
-    return (column == 0) | (column == columns_ - 1) | (row == 0) | (row == rows_ - 1);
+    // One comparison for both ends: what is below 0 becomes large.
+    return (static_cast<std::uint32_t>(column - 1) >= static_cast<std::uint32_t>(columns_ - 2)) |
+           (static_cast<std::uint32_t>(row - 1) >= static_cast<std::uint32_t>(rows_ - 2));
   }
 
   /// Calls visit(Neighbour) for every other disk in the nine cells around disk k.

@@ -26,14 +26,16 @@ class Events {
 
   bool predict_all(const std::atomic<bool>& interrupt) {
     const Index count = static_cast<Index>(work_.records.size());
-    calendar_.stop();
     for (Index& k = work_.first_unpredicted; k < count; ++k) {
       if (interrupt.load(std::memory_order_relaxed)) return false;
+      records_[k].partner = kNobody;  // what was predicted before this window is of no interest
       find_next(k);
     }
     work_.start_calendar();
     for (Index k = 0; k < count; ++k) {
-      if (records_[k].next < length_) calendar_.push(k, records_[k].next);
+      if (records_[k].next < length_ && !(records_[k].partner < k && is_entered_for_partner(k))) {
+        calendar_.push(k, records_[k].next);
+      }
     }
     work_.predicted = true;
     return true;
@@ -106,7 +108,15 @@ class Events {
   }
 
   CAROM_INLINE void enter(Index k) {
-    if (records_[k].next < length_) calendar_.push(k, records_[k].next);
+    const double time = records_[k].next;
+    if (time < length_ && !is_entered_for_partner(k)) calendar_.push(k, time);
+  }
+
+  /// Whether the event of disk k is its partner's too, so that the calendar needs but one of them.
+  [[nodiscard]] CAROM_INLINE bool is_entered_for_partner(Index k) const {
+    const Record& own = records_[k];
+    const Record& other = records_[std::max(own.partner, 0)];
+    return (own.partner >= 0) & (other.partner == k) & (other.next == own.next);
   }
 
   /// Finds the earliest event of disk k and writes it into its record.
@@ -131,8 +141,7 @@ class Events {
     Shifts shifts;
     if (!near_.shift(k, near, shifts)) return false;
     int which = 0;
-    const Nearest nearest =
-        Kernel::template nearest_copy<kOneKind>(records_, k, near.disks, near.size, shifts, which);
+    const Nearest nearest = Kernel::template nearest_copy<kOneKind>(records_, k, near.disks, near.size, shifts, which);
     if (nearest.tied) return false;
     give_up(k);
     if (nearest.time < length_) near_.set_partner_image(k, shifts.images[which]);
@@ -150,12 +159,10 @@ class Events {
   }
   CAROM_NOINLINE void note_tied(Index k) { near_.note(k, work_.settled_contact(k)); }
 
-  /// Before the event of disk k is replaced: its partner, if the calendar counts on k for both, is entered by itself.
+  /// Before the event of disk k is replaced: if it is its partner's too, the partner is entered by itself.
   CAROM_INLINE void give_up(Index k) {
     const Record& own = records_[k];
-    if (!(own.next < calendar_.due_before()) || own.partner < 0) return;
-    const Record& other = records_[own.partner];
-    if (other.partner == k && other.next == own.next) calendar_.push(own.partner, other.next);
+    if (own.next < length_ && is_entered_for_partner(k)) calendar_.push(own.partner, own.next);
   }
 
   CAROM_INLINE void collide(Index first, Index second, double time) {
@@ -209,8 +216,8 @@ class Events {
     if (near_i.size > Kernel::kLanesPerPass) nearest_i = earlier(nearest_i, nearest_of_rest(i, near_i));
     if (near_j.size > Kernel::kLanesPerPass) nearest_j = earlier(nearest_j, nearest_of_rest(j, near_j));
     note(i, nearest_i);
-    note(j, nearest_j);
     enter(i);
+    note(j, nearest_j);
     enter(j);
     return true;
   }
@@ -261,9 +268,8 @@ class Events {
     }
     const Vec2 r = separation_at_contact({a.x, a.y}, {b.x, b.y}, shift_of(image, size_));
     const rule::Velocities before{{a.vx, a.vy}, {b.vx, b.vy}};
-    const DiskEncounter encounter = kOneKind
-                                        ? encounter_of_equal_disks(r, before, mass_, restitution)
-                                        : encounter_of_disks(r, before, work_.mass(i), work_.mass(j), restitution);
+    const DiskEncounter encounter = kOneKind ? encounter_of_equal_disks(r, before, mass_, restitution)
+                                             : encounter_of_disks(r, before, work_.mass(i), work_.mass(j), restitution);
     move(a, {a.x, a.y}, encounter.after.first, time);
     move(b, {b.x, b.y}, encounter.after.second, time);
     return encounter;

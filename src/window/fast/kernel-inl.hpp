@@ -165,8 +165,8 @@ struct VectorKernel {
   template <bool kOneRadius>
   static HWY_INLINE Nearest nearest(const Record* records, Index k, const Index* near, int count) {
     const Flights own = same_flights(records[k]);
-    Nearest best;
-    for (int first = 0; first < count; first += kLanes) {
+    Nearest best = nearest_of(times_of<kOneRadius>(own, load_flights(records, near)), near);
+    for (int first = kLanes; first < count; first += kLanes) {
       const Flights others = load_flights(records, near + first);
       best = earlier(best, nearest_of(times_of<kOneRadius>(own, others), near + first));
     }
@@ -213,8 +213,7 @@ struct VectorKernel {
     const unsigned here = bits_of(hn::Eq(times, least)) | (1U << kLanes);
     best.partner = near[__builtin_ctz(here) & (kLanes - 1)];
     // Times are never NaN, so that one lane at least is the least.
-    best.tied = static_cast<int>(best.time < predict::kNever) &
-                static_cast<int>((here & (here - 1)) != (1U << kLanes));
+    best.tied = static_cast<int>(best.time < predict::kNever) & static_cast<int>((here & (here - 1)) != (1U << kLanes));
     return best;
   }
 
@@ -284,30 +283,55 @@ struct VectorKernel {
   }
   static HWY_INLINE Flights flights_of(const Record& record) { return same_flights(record); }
 
-  /// Appends to `near` the disks other than k in `count` neighbouring slots, at most 15 of them; 16 can be read.
-  /// Returns false if one of them needs a closer look.
+  /// Appends to `near` the disks other than k in three times `count` neighbouring slots, at most 15 of them; 16 can be
+  /// read. The second and the third of the three begin `step` slots after the one before. Returns false if one of the
+  /// disks needs a closer look.
   template <int kCount>
-  static HWY_INLINE bool collect(const Index* slots, Index k, Index* near, int& size) {
+  static HWY_INLINE bool collect(const Index* slots, std::ptrdiff_t step, Index k, Index* near, int& size) {
 #if HWY_TARGET == HWY_AVX3
     constexpr int kWidth = kCount <= 8 ? 8 : 16;
     const hn::FixedTag<std::int32_t, kWidth> d;
-    const auto slot = hn::LoadU(d, slots);
-    const auto taken = hn::And(hn::And(hn::Gt(slot, hn::Set(d, Slot::kEmpty)), hn::Ne(slot, hn::Set(d, k))),
-                               hn::FirstN(d, static_cast<std::size_t>(kCount)));
-    hn::StoreU(hn::Compress(slot, taken), d, near + size);
-    size += static_cast<int>(hn::CountTrue(d, taken));
-    return hn::AllFalse(d, hn::And(taken, hn::Gt(slot, hn::Set(d, Slot::kMarked - 1))));
+    const auto marked = hn::Set(d, Slot::kMarked - 1);
+    auto largest = hn::Set(d, Slot::kEmpty);
+    const auto take = [&](const Index* from) HWY_ATTR {
+      const auto slot = hn::LoadU(d, from);
+      const auto taken = disks_other_than<kCount>(slot, hn::Set(d, k));
+      hn::StoreU(hn::Compress(slot, taken), d, near + size);
+      size += std::popcount(static_cast<unsigned>(taken.raw));
+      largest = hn::Max(largest, hn::IfThenElseZero(taken, slot));
+    };
+    take(slots);
+    take(slots + step);
+    take(slots + 2 * step);
+    return hn::Gt(largest, marked).raw == 0;
 #else
     // There is no instruction for it; one by one without branches is the next best.
     Index largest = Slot::kEmpty;
-    for (int m = 0; m < kCount; ++m) {
-      near[size] = slots[m];
-      size += static_cast<int>(slots[m] >= 0) & static_cast<int>(slots[m] != k);
-      largest = std::max(largest, slots[m]);
+    for (int part = 0; part < 3; ++part, slots += step) {
+      for (int m = 0; m < kCount; ++m) {
+        near[size] = slots[m];
+        size += static_cast<int>(slots[m] >= 0) & static_cast<int>(slots[m] != k);
+        largest = std::max(largest, slots[m]);
+      }
     }
     return largest < Slot::kMarked;
 #endif
   }
+
+#if HWY_TARGET == HWY_AVX3
+  /// Of the first kCount slots those that hold a disk other than k.
+  template <int kCount>
+  static HWY_INLINE auto disks_other_than(hn::Vec512<std::int32_t> slots, hn::Vec512<std::int32_t> k) {
+    const __mmask16 disks =
+        _mm512_mask_cmpgt_epi32_mask((1U << kCount) - 1, slots.raw, _mm512_set1_epi32(Slot::kEmpty));
+    return hn::Mask512<std::int32_t>{_mm512_mask_cmpneq_epi32_mask(disks, slots.raw, k.raw)};
+  }
+  template <int kCount>
+  static HWY_INLINE auto disks_other_than(hn::Vec256<std::int32_t> slots, hn::Vec256<std::int32_t> k) {
+    const __mmask8 disks = _mm256_mask_cmpgt_epi32_mask((1U << kCount) - 1, slots.raw, _mm256_set1_epi32(Slot::kEmpty));
+    return hn::Mask256<std::int32_t>{_mm256_mask_cmpneq_epi32_mask(disks, slots.raw, k.raw)};
+  }
+#endif
 
   /// The slots of a cell that hold this, one bit each.
   static HWY_INLINE unsigned slots_with(const Index* slots, Index what) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 
 #include "cells.hpp"
 #include "record.hpp"
@@ -108,12 +109,14 @@ struct ScalarKernel {
   }
 
   template <int kCount>
-  static bool collect(const Index* slots, Index k, Index* near, int& size) noexcept {
+  static bool collect(const Index* slots, std::ptrdiff_t step, Index k, Index* near, int& size) noexcept {
     bool plain = true;
-    for (int m = 0; m < kCount; ++m) {
-      if (slots[m] < 0 || slots[m] == k) continue;
-      plain = plain && slots[m] < Slot::kMarked;
-      near[size++] = slots[m];
+    for (int part = 0; part < 3; ++part, slots += step) {
+      for (int m = 0; m < kCount; ++m) {
+        if (slots[m] < 0 || slots[m] == k) continue;
+        plain = plain && slots[m] < Slot::kMarked;
+        near[size++] = slots[m];
+      }
     }
     return plain;
   }

@@ -75,10 +75,8 @@ class NearFromLists {
     Record& own = records_[k];
     List& list = lists_[k];
     const double leaves = leaves_list(own, list, nearest.time);
-    if (leaves <= nearest.time) nearest = {leaves, kGridEvent, false};
-    const bool comes = nearest.time < length_;
-    own.next = choose(comes, nearest.time, predict::kNever);
-    own.partner = choose(comes, nearest.partner, kNobody);
+    own.partner = leaves <= nearest.time ? kGridEvent : nearest.partner;
+    own.next = std::min(leaves, nearest.time);
     list.partner_events = records_[std::max(own.partner, 0)].events;
   }
 
@@ -96,7 +94,7 @@ class NearFromLists {
  private:
   /// When the disk has gone as far from its list's centre as it may; kNever if not before `time` or the window's end.
   CAROM_INLINE double leaves_list(const Record& own, const List& list, double time) const {
-    const double limit = (time < length_ ? time : length_) - own.t;
+    const double limit = std::min(time, length_) - own.t;
     const double ex = own.x - list.x;
     const double ey = own.y - list.y;
     const double px = ex + own.vx * limit;
@@ -133,12 +131,10 @@ class NearFromCells {
   /// From the nine cells around the disk.
   CAROM_INLINE Look gather(Index k, Candidates& near) {
     Place& place = cells_[k];
-    near.size = 0;
-    const Index* row = cells_.slots(place.column - 1, place.row - 1);
-    bool plain = true;
-    for (int b = 0; b < 3; ++b, row += row_stride_) {
-      plain &= Kernel::template collect<3 * Cells::kSlots>(row, k, near.room.data(), near.size);
-    }
+    const Index* rows = cells_.slots(place) - row_stride_ - Cells::kSlots;
+    int size = 0;  // not near.size: what others may see, the compiler keeps in memory
+    const bool plain = Kernel::template collect<3 * Cells::kSlots>(rows, row_stride_, k, near.room.data(), size);
+    near.size = size;
     return look(k, place, near, plain);
   }
 
@@ -163,9 +159,8 @@ class NearFromCells {
 
   CAROM_INLINE void note(Index k, const Nearest& nearest) {
     Place& place = cells_[k];
-    const bool comes = nearest.time < length_;
-    place.contact = choose(comes, nearest.time, predict::kNever);
-    place.partner = choose(comes, nearest.partner, kNobody);
+    place.contact = nearest.time;
+    place.partner = nearest.partner;
     place.partner_events = records_[std::max(place.partner, 0)].events;
     note_first(k, place);
   }
@@ -178,20 +173,14 @@ class NearFromCells {
       cells_.cross(k);
       if (place.traits != Place::kPlain) return false;
     }
-    Candidates near;
-    const auto exit = static_cast<Wall>(place.exit);
-    const auto upwards = static_cast<std::int32_t>(exit) >> 1;
-    const std::int32_t ahead = 2 * (static_cast<std::int32_t>(exit) & 1) - 1;
-    const Index* cell =
-        cells_.slots(place.column + choose(upwards != 0, -1, ahead), place.row + choose(upwards != 0, ahead, -1));
-    const std::ptrdiff_t step = Cells::kSlots + (row_stride_ - Cells::kSlots) * (1 - upwards);
-    bool plain = true;
-    for (int m = 0; m < 3; ++m, cell += step) {
-      plain &= Kernel::template collect<Cells::kSlots>(cell, k, near.room.data(), near.size);
-    }
+    alignas(64) std::array<Index, Candidates::kRoom> near;
+    const Index* const ahead = cells_.slots(place) + ahead_[place.exit];
+    const std::ptrdiff_t across = across_[place.exit];
+    int size = 0;
+    const bool plain = Kernel::template collect<Cells::kSlots>(ahead - across, across, k, near.data(), size);
     if (!plain) return false;
-    Kernel::pad(k, near.room.data(), near.size);
-    const Nearest nearest = Kernel::template nearest<kOneKind>(records_, k, near.disks, near.size);
+    Kernel::pad(k, near.data(), size);
+    const Nearest nearest = Kernel::template nearest<kOneKind>(records_, k, near.data(), size);
     if (nearest.time < place.contact) {
       if (nearest.tied) return false;
       cells_.set_partner_image(k, {});
@@ -215,6 +204,7 @@ class NearFromCells {
  private:
   CAROM_INLINE Look look(Index k, Place& place, Candidates& near, bool plain) {
     Kernel::pad(k, near.room.data(), near.size);
+    if (plain & (place.traits == Place::kPlain)) return Look::plain;
     if (near.size > Candidates::kRoom - 16 || (place.traits & Place::kNearWall) != 0) return Look::closer;
     place.traits = static_cast<std::uint8_t>(place.traits & ~Place::kHasImage);
     return plain && place.traits == Place::kPlain ? Look::plain : Look::copies;
@@ -225,11 +215,8 @@ class NearFromCells {
     Record& own = records_[k];
     const bool simple = (place.traits & (Place::kNearWall | Place::kElsewhere)) == 0;
     const double crosses = simple ? crossing(own, place) : cells_.crossing_of_any(k);
-    const Index first = choose(crosses <= place.contact, kGridEvent, place.partner);
-    const double next = std::min(crosses, place.contact);
-    const bool comes = next < length_;
-    own.next = choose(comes, next, predict::kNever);
-    own.partner = choose(comes, first, kNobody);
+    own.partner = crosses <= place.contact ? kGridEvent : place.partner;
+    own.next = std::min(crosses, place.contact);
   }
 
   /// The usual crossing: from a cell inside the grid to another, neither of them crowded. Returns false, with nothing
@@ -240,34 +227,31 @@ class NearFromCells {
     const std::int32_t upwards = exit >> 1;
     const std::int32_t column = place.column + step * (1 - upwards);
     const std::int32_t row = place.row + step * upwards;
-    const int border = static_cast<int>(cells_.is_outermost(place.column, place.row)) |
-                       static_cast<int>(cells_.is_outermost(column, row));
-    Index* const from = cells_.slots(place.column, place.row);
-    Index* const to = cells_.slots(column, row);
+    const bool border = cells_.is_outermost(place.column, place.row) | cells_.is_outermost(column, row);
+    Index* const from = cells_.slots(place);
+    Index* const to = from + ahead_[place.exit];
     const unsigned here = Kernel::slots_with(from, k);
     const unsigned empty_there = Kernel::slots_with(to, Slot::kEmpty);
     const bool crowded = Kernel::slots_with(from, Slot::kEmpty) == 0;
-    if (static_cast<int>(here == 0) | static_cast<int>(empty_there == 0) | static_cast<int>(crowded) | border) {
-      return false;
-    }
+    if ((here == 0) | (empty_there == 0) | crowded | border) return false;
     from[std::countr_zero(here)] = Slot::kEmpty;
     to[std::countr_zero(empty_there)] = k;
     place.column = column;
     place.row = row;
+    place.cell += static_cast<std::int32_t>(ahead_[place.exit]);
     return true;
   }
 
   /// When and where the disk leaves its cell, which lies inside the grid.
   CAROM_INLINE double crossing(const Record& own, Place& place) const {
-    const bool right = own.vx > 0;
-    const bool up = own.vy > 0;
-    const double side = width_.x * (place.column + static_cast<int>(right));
-    const double top = width_.y * (place.row + static_cast<int>(up));
-    // At rest along an axis: infinity, or 0/0, which is no time before any.
-    const double through_side = choose(own.vx != 0, (side - own.x) / own.vx, predict::kNever);
-    const double through_top = choose(own.vy != 0, (top - own.y) / own.vy, predict::kNever);
-    const bool sideways = through_side <= through_top;
-    place.exit = static_cast<std::uint8_t>(choose(sideways, static_cast<Index>(right), 2 + static_cast<Index>(up)));
+    const int right = static_cast<int>(!(own.vx < 0));
+    const int up = static_cast<int>(!(own.vy < 0));
+    const double side = width_.x * (place.column + right);
+    const double top = width_.y * (place.row + up);
+    // At rest along an axis, + 0 makes it +0, and the time becomes infinity; or 0, which takes the disk off the side.
+    const double through_side = std::max(0.0, (side - own.x) / (own.vx + 0.0));
+    const double through_top = std::max(0.0, (top - own.y) / (own.vy + 0.0));
+    place.exit = static_cast<std::uint8_t>(through_side <= through_top ? right : 2 + up);
     return own.t + std::min(through_side, through_top);
   }
 
@@ -278,6 +262,9 @@ class NearFromCells {
   const Vec2 size_;  // of the box
   const Vec2 width_;
   const std::ptrdiff_t row_stride_;
+  // By exit (left, right, bottom, top), in slots: to the cell beyond it, and from there to one beside.
+  const std::array<std::ptrdiff_t, 4> ahead_{-Cells::kSlots, Cells::kSlots, -row_stride_, row_stride_};
+  const std::array<std::ptrdiff_t, 4> across_{row_stride_, row_stride_, Cells::kSlots, Cells::kSlots};
 };
 
 }  // namespace carom::fast::CAROM_TARGET

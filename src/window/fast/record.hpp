@@ -26,7 +26,7 @@ struct alignas(64) Record {
   double vx, vy;         ///< velocity since then (length/time)
   double t;              ///< of the disk's own last event in this window, 0 if it had none (time)
   double radius;         ///< length
-  double next;           ///< time of its earliest known event; kNever if there is none before the window's end
+  double next;           ///< time of its earliest known event; from the window's end on it does not count
   Index partner;         ///< with whom: a disk's index, a wall's, or one of the above
   std::uint32_t events;  ///< contacts in this window so far
 

@@ -109,6 +109,7 @@ void Workspace::load(const State& start) {
   }
   rate_ = 0;
   renewals_ = 0;
+  renewals_allowed_ = 16 * order.size() + 256;
   find_neighbours();
 }
 

@@ -85,7 +85,7 @@ class Workspace {
   /// A new list for disk k where it is at `time`.
   void renew_list(Index k, double time);
   /// Whether lists are renewed again and again because disks fly far in one window.
-  [[nodiscard]] bool lists_are_narrow() const noexcept { return renewals_now_ > 16 * records.size() + 256; }
+  [[nodiscard]] bool lists_are_narrow() const noexcept { return renewals_now_ > renewals_allowed_; }
   /// Makes all lists anew around where the disks are at `time`, with twice the shell. All disks have to be predicted
   /// again.
   void widen_lists(double time);
@@ -134,6 +134,7 @@ class Workspace {
   double slack_ = 0;                        // that lists and cells allow for the rounding of positions (length)
   std::uint64_t renewals_ = 0;              // of lists since the disks were put in order
   std::uint64_t renewals_now_ = 0;          // of lists in this window since they were last widened
+  std::uint64_t renewals_allowed_ = 0;      // so many before they are widened
   std::unordered_map<Index, Turns> turns_;  // of disks that crossed a seam in this window
   Array<std::uint32_t> booked_;             // events of each disk that are in the books; empty if none are
   double tie_time_ = -1;
