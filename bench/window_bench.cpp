@@ -245,7 +245,7 @@ void cells_beside_lists(benchmark::State& state, double packing) {
       benchmark::DoNotOptimize(&lists[0]);
     });
     const double cells_seconds = seconds_of([&] {
-      const Cells cells(near.setup.system, cell, kSlack, near.records, near.ids);
+      const Cells cells(near.setup.system, {}, cell, kSlack, near.records, near.ids);
       benchmark::DoNotOptimize(cells.slots(0, 0));
     });
     state.SetIterationTime(lists_seconds + cells_seconds);

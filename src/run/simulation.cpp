@@ -8,6 +8,7 @@
 #include "carom/base/error.hpp"
 #include "carom/run/window_length.hpp"
 #include "carom/state/validate.hpp"
+#include "patched_solver.hpp"
 
 namespace carom {
 namespace {
@@ -20,9 +21,16 @@ void throw_if_invalid(const Setup& setup) {
   if (!problems.empty()) throw Error(problems);
 }
 
+/// Chooses the patches where nobody did. The reference solver works undivided.
+ParallelOptions divide(const System& system, const SolverOptions& solver, ParallelOptions parallel) {
+  if (solver.kind == SolverKind::reference || system.size() == 0) parallel.patches = {1, 1};
+  if (!parallel.patches) parallel.patches = {1, 1};
+  return parallel;
+}
+
 }  // namespace
 
-Simulation::Simulation(Setup setup, const SolverOptions& solver)
+Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelOptions& parallel)
     : books_(setup.system.size()), books_at_start_(books_), interrupt_(&kNeverInterrupted) {
   throw_if_invalid(setup);
   state_ = initial_state(setup);
@@ -30,8 +38,19 @@ Simulation::Simulation(Setup setup, const SolverOptions& solver)
   state_.clock.length = first_window_length(system_, state_);
   initial_ = {kinetic_energy(system_, state_.disks), momentum(system_, state_.disks),
               momentum_scale(system_, state_.disks)};
-  solver_ = make_solver(system_, solver);
+  const ParallelOptions chosen = divide(system_, solver, parallel);
+  if ((*chosen.patches)[0] * (*chosen.patches)[1] > 1) {
+    auto divided = make_patched_solver(system_, solver, chosen);
+    divided_ = divided.get();
+    solver_ = std::move(divided);
+  } else {
+    solver_ = make_solver(system_, solver);
+  }
 }
+
+Simulation::~Simulation() = default;
+
+Division Simulation::division() const noexcept { return divided_ != nullptr ? divided_->division() : Division{}; }
 
 void Simulation::add_observer(Observer& observer) { observers_.push_back(&observer); }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace carom::test {
@@ -129,11 +130,12 @@ std::optional<std::string> difference_of_windows(const WindowTrace& expected, co
   return of_disks ? std::optional("in the state after it: " + *of_disks) : std::nullopt;
 }
 
-WindowTrace record_window(Simulation& simulation, const KeepEvents& keeper) {
+WindowTrace record_window(Simulation& simulation, const KeepEvents& keeper, int probes) {
+  constexpr std::array kShares{0.5, 0.37};  // one half: where lattices have their events
   WindowTrace trace;
   const Clock clock = simulation.window_start().clock;
-  for (const double share : {0.37, 0.5}) {  // one half: where lattices have their events
-    simulation.run_until(clock.start + share * clock.length);
+  for (int probe = probes; probe-- > 0;) {
+    simulation.run_until(clock.start + kShares[probe] * clock.length);
     trace.probes.push_back({simulation.frame(), simulation.books(), simulation.collisions_in_flight()});
   }
   simulation.run_window();
@@ -145,14 +147,18 @@ WindowTrace record_window(Simulation& simulation, const KeepEvents& keeper) {
 }  // namespace
 
 Recording record(const Setup& setup, const SolverOptions& options, const Extent& extent) {
+  Simulation simulation(setup, options);
+  return record(simulation, extent);
+}
+
+Recording record(Simulation& simulation, const Extent& extent) {
   constexpr std::size_t kLeastWindows = 3;
   KeepEvents keeper;
-  Simulation simulation(setup, options);
   simulation.add_observer(keeper);
   Recording recording;
   while (recording.windows.size() < extent.windows &&
          (recording.windows.size() < kLeastWindows || simulation.books().events() < extent.events)) {
-    recording.windows.push_back(record_window(simulation, keeper));
+    recording.windows.push_back(record_window(simulation, keeper, extent.probes));
   }
   return recording;
 }

@@ -34,9 +34,11 @@ struct Recording {
 struct Extent {
   std::uint64_t windows = 32;
   std::uint64_t events = 2500;
+  int probes = 2;  ///< times at which a window is looked at inside, at most 2
 };
 
-/// Runs `setup` and looks at it twice inside every window and at its end.
+/// Runs `setup` and looks at it inside every window and at its end.
+Recording record(Simulation& simulation, const Extent& extent = {});
 Recording record(const Setup& setup, const SolverOptions& options, const Extent& extent = {});
 
 /// The first thing in which two recordings differ by a bit, with the window and the event; nothing if they are equal.

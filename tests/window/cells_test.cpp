@@ -18,7 +18,7 @@ class Flyers {
  public:
   Flyers(const Box& box, int count, std::initializer_list<double> radii, double width, std::uint64_t seed)
       : crowd(box, count, radii, seed),
-        cells(crowd.system, width, kSlack, crowd.records, crowd.ids),
+        cells(crowd.system, {}, width, kSlack, crowd.records, crowd.ids),
         now_(crowd.records.size(), 0) {
     for (Index k = 0; k < crowd.size(); ++k) turn_about(k);
   }
@@ -155,7 +155,7 @@ TEST(Cells, HoldAllThatTouchADiskInTheSmallestBox) {
   const double smallest = 4 * (1 + kSlack);
   for (const auto& boundary : kBoundaries) {
     Flyers flyers({{smallest, smallest}, boundary}, 14, {0.5}, 1, 32);
-    ASSERT_TRUE(Cells::fit(flyers.crowd.system, kSlack));
+    ASSERT_TRUE(Cells::fit(flyers.crowd.system, {}, kSlack));
     EXPECT_EQ(flyers.cells.width().x, smallest / 4);
     const Seen seen = fly(flyers, 400);
     EXPECT_GT(seen.touching, 3000U);
@@ -189,10 +189,10 @@ TEST(Cells, KnowDisksThatHaveFlownOverManySeams) {
 
 TEST(Cells, FitWhereNoCellIsTwoNeighboursOfAnother) {
   Crowd crowd({{4, 4}, {kPeriodic, kPeriodic}}, 3, {0.5}, 35);
-  EXPECT_TRUE(Cells::fit(crowd.system, 0));
-  EXPECT_FALSE(Cells::fit(crowd.system, 1e-12));
+  EXPECT_TRUE(Cells::fit(crowd.system, {}, 0));
+  EXPECT_FALSE(Cells::fit(crowd.system, {}, 1e-12));
   crowd.system.box.boundary[1] = Boundary::open;
-  EXPECT_FALSE(Cells::fit(crowd.system, 0));
+  EXPECT_FALSE(Cells::fit(crowd.system, {}, 0));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "carom/run/parallel.hpp"
 #include "carom/state/scene.hpp"
 #include "carom/state/state.hpp"
 #include "carom/state/system.hpp"
@@ -15,6 +16,8 @@
 #include "carom/window/solver.hpp"
 
 namespace carom {
+
+class DividedSolver;
 
 /// One finished window, valid during the call that it is given to.
 struct WindowRecord {
@@ -47,7 +50,7 @@ struct Measured {
 class Simulation {
  public:
   /// Starts at time 0. Throws Error if the setup cannot be simulated.
-  explicit Simulation(Setup setup, const SolverOptions& solver = {});
+  explicit Simulation(Setup setup, const SolverOptions& solver = {}, const ParallelOptions& parallel = {});
 
   /// Why advancing ended.
   enum class Stop { reached, interrupted };
@@ -57,6 +60,7 @@ class Simulation {
   /// or beyond kLatestTime.
   Stop run_until(double until);
 
+  ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
@@ -89,6 +93,8 @@ class Simulation {
   void stop_when(const std::atomic<bool>& interrupt) noexcept { interrupt_ = &interrupt; }
 
   [[nodiscard]] const Solver& solver() const noexcept { return *solver_; }
+  /// Into how many patches and threads windows were divided, and how that went.
+  [[nodiscard]] Division division() const noexcept;
   /// Energy, momentum and momentum scale at time 0.
   struct Initial {
     double energy = 0;
@@ -112,6 +118,7 @@ class Simulation {
   Books books_at_start_;  // of the window in flight
   std::vector<Collision> log_;
   std::unique_ptr<Solver> solver_;
+  DividedSolver* divided_ = nullptr;  // the same, if it divides its windows
   std::vector<Observer*> observers_;
   std::size_t watching_ = 0;  // observers of the window in flight: the first ones
   double measure_from_ = 0;

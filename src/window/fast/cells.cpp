@@ -10,6 +10,12 @@ namespace {
 /// Fewer cells along a periodic axis, and one cell could be two neighbours of another.
 constexpr double kFewestCells = 4;
 
+/// Of the box, or of the part that is cut out.
+double size_along(const Box& box, const Extent& extent, int axis) noexcept {
+  const Vec2 size = extent.cut[axis] ? extent.high - extent.low : box.size;
+  return axis == 0 ? size.x : size.y;
+}
+
 double largest_diameter(const System& system) noexcept {
   double radius = 0;
   for (const Species& kind : system.species) radius = std::max(radius, kind.radius);
@@ -18,53 +24,80 @@ double largest_diameter(const System& system) noexcept {
 
 }  // namespace
 
-bool Cells::fit(const System& system, double slack) {
+bool Cells::fit(const System& system, const Extent& extent, double slack) {
   const Box& box = system.box;
-  if (box.boundary[0] == Boundary::open || box.boundary[1] == Boundary::open) return false;
   const double least = largest_diameter(system) + slack;
-  return std::min(box.size.x, box.size.y) >= kFewestCells * least &&
-         system.size() < static_cast<std::size_t>(Slot::kMostDisks);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (box.boundary[axis] == Boundary::open && !extent.cut[axis]) return false;
+    if (size_along(box, extent, axis) < kFewestCells * least) return false;
+  }
+  return system.size() < static_cast<std::size_t>(Slot::kMostDisks);
 }
 
-Cells::Cells(const System& system, double width, double slack, const Array<Record>& records, const Array<DiskId>& ids)
+Cells::Cells(const System& system, const Extent& extent, double width, double slack, const Array<Record>& records,
+             const Array<DiskId>& ids)
     : box_(system.box), records_(records), ids_(ids) {
+  const Vec2 size{size_along(box_, extent, 0), size_along(box_, extent, 1)};
   const double least = largest_diameter(system) + slack;
   const double most = 8 * static_cast<double>(records.size()) + 64;
-  width = std::max({width, least, std::sqrt(box_.size.x / most * box_.size.y)});
-  const auto cells_along = [&](double size) {
-    return static_cast<std::int32_t>(std::clamp(std::floor(size / width), kFewestCells, most));
+  width = std::max({width, least, std::sqrt(size.x / most * size.y)});
+  const auto cells_along = [&](double length) {
+    return static_cast<std::int32_t>(std::clamp(std::floor(length / width), kFewestCells, most));
   };
-  columns_ = cells_along(box_.size.x);
-  rows_ = cells_along(box_.size.y);
-  width_ = {box_.size.x / columns_, box_.size.y / rows_};
+  columns_ = cells_along(size.x);
+  rows_ = cells_along(size.y);
+  width_ = {size.x / columns_, size.y / rows_};
+  low_ = {extent.cut[0] ? extent.low.x : 0, extent.cut[1] ? extent.low.y : 0};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = axis == 0 ? extent.low.x : extent.low.y;
+    const double high = axis == 0 ? extent.high.x : extent.high.y;
+    const double length = axis == 0 ? box_.size.x : box_.size.y;
+    wraps_[axis] = box_.periodic(axis) && !extent.cut[axis];
+    const auto edge = [&](bool at_wall) {
+      if (wraps_[axis]) return Place::kPlain;
+      return box_.reflecting(axis) && at_wall ? Place::kNearWall : Place::kAtCut;
+    };
+    edge_[axis] = {edge(!extent.cut[axis] || low <= 0), edge(!extent.cut[axis] || high >= length)};
+  }
   // A row's three cells are read with one load that may reach beyond them.
   slots_.assign(static_cast<std::size_t>(number_of(columns_, rows_) + 1) * kSlots + 16, Slot::kEmpty);
   places_.resize(records.size());
   const auto cell_at = [](double x, double cell_width, std::int32_t count) {
     return static_cast<std::int32_t>(std::clamp(x / cell_width, 0.0, static_cast<double>(count - 1)));
   };
+  const Vec2 middle = low_ + 0.5 * size;
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
+    Image turn;
+    if (box_.periodic(0) && !wraps_[0]) {
+      turn.x = static_cast<std::int32_t>(periods_from(records[k].x, middle.x, box_.size.x));
+    }
+    if (box_.periodic(1) && !wraps_[1]) {
+      turn.y = static_cast<std::int32_t>(periods_from(records[k].y, middle.y, box_.size.y));
+    }
     places_[k] = {
         .contact = predict::kNever,
         .partner = kNobody,
         .partner_events = 0,
-        .column = cell_at(records[k].x, width_.x, columns_),
-        .row = cell_at(records[k].y, width_.y, rows_),
+        .column = cell_at(records[k].x - turn.x * box_.size.x - low_.x, width_.x, columns_),
+        .row = cell_at(records[k].y - turn.y * box_.size.y - low_.y, width_.y, rows_),
         .cell = 0,
         .traits = Place::kPlain,
         .exit = 0,
     };
-    note_walls(k);
+    if (turn != Image{}) set_turns(k, turn);
+    note_edges(k);
     insert(k);
   }
 }
 
-void Cells::note_walls(Index k) noexcept {
-  if (!box_.has_walls()) return;
+void Cells::note_edges(Index k) noexcept {
   Place& place = places_[k];
-  const bool near = (box_.reflecting(0) && (place.column == 0 || place.column == columns_ - 1)) ||
-                    (box_.reflecting(1) && (place.row == 0 || place.row == rows_ - 1));
-  place.traits = static_cast<std::uint8_t>((place.traits & ~Place::kNearWall) | (near ? Place::kNearWall : 0));
+  unsigned traits = place.traits & ~(Place::kNearWall | Place::kAtCut);
+  if (place.column == 0) traits |= edge_[0][0];
+  if (place.column == columns_ - 1) traits |= edge_[0][1];
+  if (place.row == 0) traits |= edge_[1][0];
+  if (place.row == rows_ - 1) traits |= edge_[1][1];
+  place.traits = static_cast<std::uint8_t>(traits);
 }
 
 /// Writes disk k, or Slot::kEmpty, into a slot of a cell and of the copies of that cell in the border.
@@ -76,8 +109,8 @@ void Cells::write_slot(std::int32_t column, std::int32_t row, unsigned slot, Ind
   };
   write(0, 0);
   if (!is_outermost(column, row)) return;
-  const std::int32_t sx = !box_.periodic(0) ? 0 : column == 0 ? 1 : column == columns_ - 1 ? -1 : 0;
-  const std::int32_t sy = !box_.periodic(1) ? 0 : row == 0 ? 1 : row == rows_ - 1 ? -1 : 0;
+  const std::int32_t sx = !wraps_[0] ? 0 : column == 0 ? 1 : column == columns_ - 1 ? -1 : 0;
+  const std::int32_t sy = !wraps_[1] ? 0 : row == 0 ? 1 : row == rows_ - 1 ? -1 : 0;
   if (sx != 0) write(sx, 0);
   if (sy != 0) write(0, sy);
   if (sx != 0 && sy != 0) write(sx, sy);
@@ -149,8 +182,9 @@ double Cells::crossing_of_any(Index k) {
                          std::int32_t turn) {
     const double size = axis == 0 ? box_.size.x : box_.size.y;
     if (v == 0) return predict::kNever;
-    if (!box_.periodic(axis) && (v > 0 ? cell == count - 1 : cell == 0)) return predict::kNever;
-    const double edge = width * (v > 0 ? cell + 1 : cell) + size * turn;
+    if (!wraps_[axis] && (v > 0 ? cell == count - 1 : cell == 0)) return predict::kNever;
+    const double low = axis == 0 ? low_.x : low_.y;
+    const double edge = low + width * (v > 0 ? cell + 1 : cell) + size * turn;
     return own.t + (edge - x) / v;
   };
   const double through_side = leave(own.x, own.vx, width_.x, place.column, columns_, 0, turned.x);
@@ -181,7 +215,7 @@ void Cells::cross(Index k) {
     const Image before = turns(k);
     set_turns(k, {before.x + turn.x, before.y + turn.y});
   }
-  note_walls(k);
+  note_edges(k);
   insert(k);
 }
 

@@ -9,6 +9,7 @@
 
 #include "carom/state/system.hpp"
 #include "carom/window/collision.hpp"
+#include "grid.hpp"
 #include "huge_pages.hpp"
 #include "neighbour.hpp"
 #include "record.hpp"
@@ -21,6 +22,7 @@ struct alignas(32) Place {
   static constexpr std::uint8_t kNearWall = 1;   ///< in an outermost cell along an axis with walls
   static constexpr std::uint8_t kElsewhere = 2;  ///< has flown over a seam: its stored position is in another copy
   static constexpr std::uint8_t kHasImage = 4;   ///< its next contact is with a copy
+  static constexpr std::uint8_t kAtCut = 8;      ///< in an outermost cell along an axis that is cut
 
   double contact;  ///< time of its earliest known contact; from the window's end on it does not count (time)
   Index partner;   ///< with whom
@@ -67,10 +69,11 @@ class Cells {
   static constexpr int kSlots = 5;
 
   /// Whether a grid like this can serve the system.
-  static bool fit(const System& system, double slack);
+  static bool fit(const System& system, const Extent& extent, double slack);
 
-  /// Cells of at least `width`.
-  Cells(const System& system, double width, double slack, const Array<Record>& records, const Array<DiskId>& ids);
+  /// Cells of at least `width`, over `extent` where it is cut and over the box else.
+  Cells(const System& system, const Extent& extent, double width, double slack, const Array<Record>& records,
+        const Array<DiskId>& ids);
 
   [[nodiscard]] Place& operator[](Index k) noexcept { return places_[k]; }
   [[nodiscard]] const Place& operator[](Index k) const noexcept { return places_[k]; }
@@ -88,6 +91,8 @@ class Cells {
     return (static_cast<std::ptrdiff_t>(columns_) + 2) * kSlots;
   }
   [[nodiscard]] Vec2 width() const noexcept { return width_; }
+  /// Where the first column and the first row begin (length).
+  [[nodiscard]] Vec2 low() const noexcept { return low_; }
   /// Whether the cell is outermost in the box: it may have copies in the border.
   [[nodiscard]] bool is_outermost(std::int32_t column, std::int32_t row) const noexcept {
     // One comparison for both ends: what is below 0 becomes large.
@@ -140,7 +145,7 @@ class Cells {
   }
   bool step_over(std::int32_t& cell, std::int32_t count, int axis, std::int32_t& seam) const noexcept {
     if (cell >= 0 && cell < count) return true;
-    if (!box_.periodic(axis)) return false;
+    if (!wraps_[axis]) return false;
     seam = cell < 0 ? -1 : 1;
     cell -= seam * count;
     return true;
@@ -160,7 +165,7 @@ class Cells {
     for (const Index disk : found->second) visit(disk);
   }
   void set_turns(Index k, Image turns);
-  void note_walls(Index k) noexcept;
+  void note_edges(Index k) noexcept;
   void insert(Index k);
   void remove(Index k);
   void write_slot(std::int32_t column, std::int32_t row, unsigned slot, Index k, bool crowded) noexcept;
@@ -170,7 +175,9 @@ class Cells {
   const Array<Record>& records_;
   const Array<DiskId>& ids_;
   std::int32_t columns_ = 0, rows_ = 0;  // of the box, without the border
-  Vec2 width_;
+  Vec2 low_, width_;
+  std::array<bool, 2> wraps_;                        // where the grid closes on itself
+  std::array<std::array<std::uint8_t, 2>, 2> edge_;  // traits at the low and the high end of each axis
   Array<Index> slots_;
   Array<Place> places_;
   std::unordered_map<std::ptrdiff_t, std::vector<Index>> surplus_;  // disks that found no slot in their cell

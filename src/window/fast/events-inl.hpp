@@ -20,6 +20,7 @@ class Events {
         wraps_y_(work.system.box.periodic(1)),
         elastic_(work.system.physics.elastic()),
         plainly_(elastic_ && work.log == nullptr),
+        patched_(work.patched),
         length_(work.length),
         mass_(work.mass(0)),
         sigma_(records_[0].radius + records_[0].radius) {}
@@ -213,6 +214,7 @@ class Events {
     Nearest nearest_i = Kernel::nearest_of(times_i, near_i.disks);
     Nearest nearest_j = Kernel::nearest_of(times_j, near_j.disks);
     book_equal(i, j, encounter);
+    if (patched_) note_histories(i, j, time, {});
     if (near_i.size > Kernel::kLanesPerPass) nearest_i = earlier(nearest_i, nearest_of_rest(i, near_i));
     if (near_j.size > Kernel::kLanesPerPass) nearest_j = earlier(nearest_j, nearest_of_rest(j, near_j));
     note(i, nearest_i);
@@ -262,7 +264,7 @@ class Events {
     double restitution = 1;
     if (!elastic_) {
       const double last = std::max(work_.last_contact[i], work_.last_contact[j]);
-      restitution = work_.restitution_at(time, last, work_.system.physics.restitution);
+      restitution = work_.restitution_at(time, last, work_.system.physics.restitution, work_.counts(i));
       work_.last_contact[i] = time;
       work_.last_contact[j] = time;
     }
@@ -279,8 +281,22 @@ class Events {
     const double virial = encounter.impulse * sigma_;
     work_.virial[i] += 0.5 * virial;
     work_.virial[j] += 0.5 * virial;
+    if (!work_.counts(i)) return;
     ++work_.collisions;
     work_.least_distance_squared = std::min(work_.least_distance_squared, dot(encounter.r, encounter.r));
+  }
+
+  /// In a patch: what a near copy and its owner compare.
+  CAROM_INLINE void note_histories(Index i, Index j, double time, Image image) {
+    const auto note = [&](Index k, Index other) {
+      const Vec2 velocity{records_[k].vx, records_[k].vy};
+      work_.histories[k] = next_history(work_.histories[k], time, work_.ids[other], image, velocity);
+    };
+    note(i, j);
+    note(j, i);
+    ++work_.contacts;
+    const int roles = static_cast<int>(work_.roles[i]) | static_cast<int>(work_.roles[j]);
+    work_.met_far |= roles == (static_cast<int>(Role::owned) | static_cast<int>(Role::far));
   }
 
   CAROM_INLINE void book(Index i, Index j, double time, std::uint32_t generation, Image image,
@@ -292,10 +308,13 @@ class Events {
       const double virial = encounter.impulse * sigma;
       work_.virial[i] += 0.5 * virial;
       work_.virial[j] += 0.5 * virial;
-      ++work_.collisions;
-      if (dot(encounter.r, encounter.r) < sigma * sigma) work_.note_overlap((sigma - length(encounter.r)) / sigma);
+      if (work_.counts(i)) {
+        ++work_.collisions;
+        if (dot(encounter.r, encounter.r) < sigma * sigma) work_.note_overlap((sigma - length(encounter.r)) / sigma);
+      }
     }
-    if (work_.log != nullptr) {
+    if (patched_) note_histories(i, j, time, image);
+    if (work_.log != nullptr && work_.counts(i)) {
       work_.log->push_back(row_of_disks(time, generation, work_.ids[i], work_.ids[j], image,
                                         {records_[i].x, records_[i].y}, records_[i].radius, encounter));
     }
@@ -337,6 +356,7 @@ class Events {
   const Vec2 size_;
   const bool wraps_x_, wraps_y_, elastic_;
   const bool plainly_;  // contacts are elastic and nobody asks for them one by one
+  const bool patched_;
   const double length_;
   const double mass_;   // where all disks are of one kind
   const double sigma_;  // the same

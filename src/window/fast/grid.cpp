@@ -3,8 +3,9 @@
 namespace carom::fast {
 
 Grid::Grid(const Box& box, const Extent& extent, double width, std::size_t points) {
-  const Vec2 size{box.periodic(0) ? box.size.x : extent.high.x - extent.low.x,
-                  box.periodic(1) ? box.size.y : extent.high.y - extent.low.y};
+  const std::array wraps{box.periodic(0) && !extent.cut[0], box.periodic(1) && !extent.cut[1]};
+  const Vec2 size{wraps[0] ? box.size.x : extent.high.x - extent.low.x,
+                  wraps[1] ? box.size.y : extent.high.y - extent.low.y};
   const double most = static_cast<double>(points) + 16;
   const auto cells_along = [&](double length) { return std::clamp(std::floor(length / width), 1.0, most); };
   double columns = cells_along(size.x);
@@ -17,11 +18,18 @@ Grid::Grid(const Box& box, const Extent& extent, double width, std::size_t point
     const double low = axis == 0 ? extent.low.x : extent.low.y;
     // A cell wider than asked for where there is but one.
     const double inverse = length > width ? count / length : 1 / width;
-    axis_[axis] = {box.periodic(axis) ? count / length : inverse, box.periodic(axis) ? 0 : low, count,
-                   box.periodic(axis)};
+    GridAxis& along = axis_[axis];
+    along.inverse_width = wraps[axis] ? count / length : inverse;
+    along.low = wraps[axis] ? 0 : low;
+    along.count = count;
+    along.periodic = wraps[axis];
+    if (box.periodic(axis) && extent.cut[axis]) {
+      along.period = axis == 0 ? box.size.x : box.size.y;
+      along.middle = low + length / 2;
+    }
   }
   columns_ = static_cast<std::size_t>(columns);
-  far_ = {box.periodic(0) ? size.x / 2 : predict::kNever, box.periodic(1) ? size.y / 2 : predict::kNever};
+  far_ = {box.periodic(0) ? box.size.x / 2 : predict::kNever, box.periodic(1) ? box.size.y / 2 : predict::kNever};
   slots_.assign(columns_ * static_cast<std::size_t>(rows) * kSlots, -1);
 }
 

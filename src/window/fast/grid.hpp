@@ -14,10 +14,12 @@
 
 namespace carom::fast {
 
-/// A rectangle of the plane.
+/// A rectangle of the plane: all that there is, or a part cut out of it.
 struct Extent {
   Vec2 low;
   Vec2 high;
+  /// Along which axes it is a part only, of less than three quarters of a periodic box: it does not close on itself.
+  std::array<bool, 2> cut{false, false};
 };
 
 /// The largest whole number not above x. (Compiled for any processor, std::floor is a call.)
@@ -27,22 +29,40 @@ inline double whole_part(double x) noexcept {
   return cut > x ? cut - 1 : cut;
 }
 
+/// How many periods a coordinate lies away from a part of a periodic axis around `middle`.
+inline double periods_from(double coordinate, double middle, double period) noexcept {
+  const double away = coordinate - middle;
+  return std::abs(away) <= period / 2 ? 0 : whole_part(away / period + 0.5);
+}
+
 /// One axis cut into `count` cells of equal width. Where the axis is not periodic the cells repeat beyond it all the
 /// same: points from elsewhere that fall into a cell must be told apart by their distance.
 struct GridAxis {
   double inverse_width = 1;
   double low = 0;
   double count = 1;
-  bool periodic = false;
+  bool periodic = false;  // the cells go once around
+  double period = 0;      // of an axis that is periodic but of which only a part is covered; else 0
+  double middle = 0;      // of that part
 
-  /// Number of the cell that x lies in, over the whole axis.
-  [[nodiscard]] double cell_of(double x) const noexcept { return whole_part((x - low) * inverse_width); }
-  /// How many times `count` cells lie between that cell and its place among the first ones.
-  [[nodiscard]] double turn_of(double cell) const noexcept {
+  /// How many periods lie between a coordinate and where it is looked for.
+  [[nodiscard]] double turn_of(double x) const noexcept {
+    if (period > 0) return periods_from(x, middle, period);
+    if (!periodic) return 0;
+    const double cell = (x - low) * inverse_width;
+    return cell >= 0 && cell < count ? 0 : turn_of_cell(whole_part(cell));
+  }
+  /// Number of the cell that x lies in, over the whole axis, or from the part that is covered.
+  [[nodiscard]] double cell_of(double x) const noexcept {
+    const double place = period > 0 ? x - period * turn_of(x) : x;
+    return whole_part((place - low) * inverse_width);
+  }
+  /// How many times `count` cells lie between a cell and its place among the first ones.
+  [[nodiscard]] double turn_of_cell(double cell) const noexcept {
     return cell >= 0 && cell < count ? 0 : whole_part(cell / count);
   }
-  [[nodiscard]] std::int32_t place_of(double cell, double turn) const noexcept {
-    return static_cast<std::int32_t>(std::clamp(cell - count * turn, 0.0, count - 1));
+  [[nodiscard]] std::int32_t place_of(double cell) const noexcept {
+    return static_cast<std::int32_t>(std::clamp(cell - count * turn_of_cell(cell), 0.0, count - 1));
   }
 };
 
@@ -98,15 +118,15 @@ class Grid {
     const Range rows = range(axis_[1], centre.y, reach);
     for (int b = 0; b < rows.count; ++b) {
       const double row = rows.first + b;
-      const double turn_y = axis_[1].turn_of(row);
-      const std::size_t row_start = static_cast<std::size_t>(axis_[1].place_of(row, turn_y)) * columns_;
+      const double turn_y = axis_[1].periodic ? axis_[1].turn_of_cell(row) : rows.turn;
+      const std::size_t row_start = static_cast<std::size_t>(axis_[1].place_of(row)) * columns_;
       for (int a = 0; a < columns.count; ++a) {
         const double column = columns.first + a;
-        const double turn_x = axis_[0].turn_of(column);
-        const auto place = static_cast<std::size_t>(axis_[0].place_of(column, turn_x));
-        for_points_in(row_start + place, [&](Index k) {
+        const double turn_x = axis_[0].periodic ? axis_[0].turn_of_cell(column) : columns.turn;
+        for_points_in(row_start + static_cast<std::size_t>(axis_[0].place_of(column)), [&](Index k) {
           const Vec2 point = point_of(k);
-          visit(k, Image{image(axis_[0], turn_x, point.x), image(axis_[1], turn_y, point.y)});
+          visit(k, Image{static_cast<std::int32_t>(turn_x - axis_[0].turn_of(point.x)),
+                         static_cast<std::int32_t>(turn_y - axis_[1].turn_of(point.y))});
         });
       }
     }
@@ -116,13 +136,22 @@ class Grid {
   struct Range {
     double first = 0;
     int count = 0;
+    double turn = 0;      // of the centre, where a part of a periodic axis is covered
     bool inside = false;  // all cells are among the first ones
   };
   [[nodiscard]] static Range range(const GridAxis& axis, double centre, double reach) noexcept {
-    const double first = axis.cell_of(centre - reach);
-    double count = axis.cell_of(centre + reach) - first + 1;
+    Range range;
+    if (axis.period > 0) {
+      range.turn = axis.turn_of(centre);
+      centre -= axis.period * range.turn;
+    }
+    const auto cell_at = [&](double x) { return whole_part((x - axis.low) * axis.inverse_width); };
+    range.first = cell_at(centre - reach);
+    double count = cell_at(centre + reach) - range.first + 1;
     if (!axis.periodic) count = std::min(count, axis.count);
-    return {first, static_cast<int>(count), first >= 0 && first + count <= axis.count};
+    range.count = static_cast<int>(count);
+    range.inside = range.first >= 0 && range.first + count <= axis.count;
+    return range;
   }
 
   static constexpr int kSlots = 5;  // per cell; the last one is taken last
@@ -137,17 +166,9 @@ class Grid {
     for (const Index k : found->second) visit(k);
   }
 
-  [[nodiscard]] static std::int32_t image(const GridAxis& axis, double turn, double coordinate) noexcept {
-    if (!axis.periodic) return 0;
-    const double cell = (coordinate - axis.low) * axis.inverse_width;
-    if (turn == 0 && cell >= 0 && cell < axis.count) return 0;
-    return static_cast<std::int32_t>(turn - axis.turn_of(axis.cell_of(coordinate)));
-  }
   [[nodiscard]] std::size_t place_of(Vec2 point) const noexcept {
-    const double column = axis_[0].cell_of(point.x);
-    const double row = axis_[1].cell_of(point.y);
-    return static_cast<std::size_t>(axis_[1].place_of(row, axis_[1].turn_of(row))) * columns_ +
-           static_cast<std::size_t>(axis_[0].place_of(column, axis_[0].turn_of(column)));
+    return static_cast<std::size_t>(axis_[1].place_of(axis_[1].cell_of(point.y))) * columns_ +
+           static_cast<std::size_t>(axis_[0].place_of(axis_[0].cell_of(point.x)));
   }
 
   std::array<GridAxis, 2> axis_;

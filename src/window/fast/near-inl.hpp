@@ -125,6 +125,7 @@ class NearFromCells {
         cells_(*work.cells),
         length_(work.length),
         size_(work.system.box.size),
+        low_(cells_.low()),
         width_(cells_.width()),
         row_stride_(cells_.row_stride()) {}
 
@@ -167,8 +168,9 @@ class NearFromCells {
 
   /// The disk crosses into the next cell. Whom it meets first is who it was, or somebody in the cells now near.
   /// Returns false if that has to be looked for anew.
-  CAROM_INLINE bool grid_event(Index k, double /*time*/) {
+  CAROM_INLINE bool grid_event(Index k, double time) {
     Place& place = cells_[k];
+    if (work_.patched) work_.note_excursion(k, time);
     if (place.traits != Place::kPlain || !cross_inside(k, place)) {
       cells_.cross(k);
       if (place.traits != Place::kPlain) return false;
@@ -213,7 +215,7 @@ class NearFromCells {
   /// The crossing or the contact, whichever comes first, goes into the record.
   CAROM_INLINE void note_first(Index k, Place& place) {
     Record& own = records_[k];
-    const bool simple = (place.traits & (Place::kNearWall | Place::kElsewhere)) == 0;
+    const bool simple = (place.traits & (Place::kNearWall | Place::kElsewhere | Place::kAtCut)) == 0;
     const double crosses = simple ? crossing(own, place) : cells_.crossing_of_any(k);
     own.partner = crosses <= place.contact ? kGridEvent : place.partner;
     own.next = std::min(crosses, place.contact);
@@ -246,8 +248,8 @@ class NearFromCells {
   CAROM_INLINE double crossing(const Record& own, Place& place) const {
     const int right = static_cast<int>(!(own.vx < 0));
     const int up = static_cast<int>(!(own.vy < 0));
-    const double side = width_.x * (place.column + right);
-    const double top = width_.y * (place.row + up);
+    const double side = low_.x + width_.x * (place.column + right);
+    const double top = low_.y + width_.y * (place.row + up);
     // At rest along an axis, + 0 makes it +0, and the time becomes infinity; or 0, which takes the disk off the side.
     const double through_side = std::max(0.0, (side - own.x) / (own.vx + 0.0));
     const double through_top = std::max(0.0, (top - own.y) / (own.vy + 0.0));
@@ -260,7 +262,7 @@ class NearFromCells {
   Cells& cells_;
   const double length_;
   const Vec2 size_;  // of the box
-  const Vec2 width_;
+  const Vec2 low_, width_;
   const std::ptrdiff_t row_stride_;
   // By exit (left, right, bottom, top), in slots: to the cell beyond it, and from there to one beside.
   const std::array<std::ptrdiff_t, 4> ahead_{-Cells::kSlots, Cells::kSlots, -row_stride_, row_stride_};

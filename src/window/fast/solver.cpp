@@ -1,6 +1,7 @@
 // The fast solver: chooses instructions and hands its windows to the hot loop compiled for them.
 #include "carom/window/solver.hpp"
 #include "carom/base/simd.hpp"
+#include "carom/window/patch.hpp"
 #include "loops.hpp"
 #include "workspace.hpp"
 
@@ -38,6 +39,29 @@ class FastSolver final : public Solver {
   fast::Workspace work_;
 };
 
+class FastPatchSolver final : public PatchSolver {
+ public:
+  FastPatchSolver(const System& system, const SolverOptions& options)
+      : simd_(usable_simd(options.simd)), work_(system, options) {}
+
+  bool run(const State& start, const Books& books, const PatchTask& task, double until, bool logs,
+           const PatchOutput& output, PatchReport& report, const std::atomic<bool>& interrupt) override {
+    report = {};
+    work_.open_patch(start, books, task, report.books, logs ? &report.log : nullptr);
+    if (work_.records.empty()) return true;
+    const Neighbourhood neighbourhood = work_.cells ? Neighbourhood::cells : Neighbourhood::lists;
+    const fast::Loops loops = fast::loops_for(simd_, neighbourhood, work_.one_kind);
+    if (!loops.process_events(work_, until, interrupt)) return false;
+    work_.store_patch(until, output, report);
+    if (until == work_.length) loops.note_overlaps(work_);
+    return true;
+  }
+
+ private:
+  Simd simd_;
+  fast::Workspace work_;
+};
+
 }  // namespace
 
 fast::Loops fast::loops_for(Simd simd, Neighbourhood neighbourhood, bool one_kind) noexcept {
@@ -47,6 +71,10 @@ fast::Loops fast::loops_for(Simd simd, Neighbourhood neighbourhood, bool one_kin
 
 std::unique_ptr<Solver> make_fast_solver(const System& system, const SolverOptions& options) {
   return std::make_unique<FastSolver>(system, options);
+}
+
+std::unique_ptr<PatchSolver> make_patch_solver(const System& system, const SolverOptions& options) {
+  return std::make_unique<FastPatchSolver>(system, options);
 }
 
 }  // namespace carom

@@ -43,7 +43,7 @@ Extent extent_of(const Frame& disks) noexcept {
 
 }  // namespace
 
-void Workspace::open(const State& start, Books& to, std::vector<Collision>* rows) {
+void Workspace::begin_window(const State& start, Books& to, std::vector<Collision>* rows) {
   books = &to;
   log = rows;
   start_ = &start;
@@ -56,12 +56,44 @@ void Workspace::open(const State& start, Books& to, std::vector<Collision>* rows
   booked_.clear();
   generations_.clear();
   tie_time_ = -1;
-  if (start.disks.size() == 0) return;
   renewals_now_ = 0;
+}
+
+void Workspace::open(const State& start, Books& to, std::vector<Collision>* rows) {
+  begin_window(start, to, rows);
+  if (start.disks.size() == 0) return;
   const bool worn = renewals_ > 16 * records.size();  // neighbours in space are neighbours in memory no more
-  if (!closed_ || worn || !continues(start) || rounding_slack(extent(0)) > slack_) load(start);
+  if (!closed_ || worn || !continues(start) || rounding_slack(extent(0)) > slack_) {
+    load(start, in_spatial_order(start.disks, extent_of(start.disks)));
+    find_neighbours();
+  }
   closed_ = false;
-  for (std::size_t k = 0; k < records.size(); ++k) virial[k] = to.virial_of[ids[k]];
+  load_sums(to);
+}
+
+void Workspace::load_sums(const Books& from) {
+  for (std::size_t k = 0; k < records.size(); ++k) virial[k] = from.virial_of[ids[k]];
+  if (!system.box.has_walls()) return;
+  wall_impulse.resize(records.size());
+  for (std::size_t k = 0; k < records.size(); ++k) wall_impulse[k] = from.wall_impulse_of[ids[k]];
+}
+
+void Workspace::open_patch(const State& start, const Books& from, const PatchTask& task, Books& to,
+                           std::vector<Collision>* rows) {
+  begin_window(start, to, rows);
+  patched = true;
+  part_ = Extent{task.loaded.low, task.loaded.high, task.cut};
+  clear_ = task.clear;
+  roles.assign(task.roles.begin(), task.roles.end());
+  histories.assign(task.disks.size(), 0);
+  contacts = 0;
+  met_far = false;
+  paths_.clear();
+  load(start, task.disks);
+  starts_.resize(records.size());
+  for (std::size_t k = 0; k < records.size(); ++k) starts_[k] = {records[k].x, records[k].y};
+  load_sums(from);
+  if (!records.empty()) find_neighbours();
 }
 
 bool Workspace::continues(const State& start) const noexcept {
@@ -77,15 +109,15 @@ bool Workspace::continues(const State& start) const noexcept {
   return true;
 }
 
-void Workspace::load(const State& start) {
-  const std::vector<DiskId> order = in_spatial_order(start.disks, extent_of(start.disks));
+/// These disks, in this order.
+void Workspace::load(const State& start, std::span<const DiskId> order) {
   lists.reset();
   cells.reset();
   ids.assign(order.begin(), order.end());
   records.resize(order.size());
   virial.resize(order.size());
   one_kind = true;
-  const Species& first = system.species_of_disk(0);
+  const Species& first = system.species_of_disk(order.empty() ? 0 : order[0]);
   for (std::size_t k = 0; k < order.size(); ++k) {
     const DiskId id = order[k];
     const Species& kind = system.species_of_disk(id);
@@ -110,7 +142,6 @@ void Workspace::load(const State& start) {
   rate_ = 0;
   renewals_ = 0;
   renewals_allowed_ = 16 * order.size() + 256;
-  find_neighbours();
 }
 
 Extent Workspace::extent(double time) const noexcept {
@@ -146,29 +177,36 @@ double Workspace::default_shell(const Extent& extent) const noexcept {
   for (const Record& own : records) diameters += 2 * own.radius;
   const auto count = static_cast<double>(records.size());
   const double diameter = diameters / count;
-  const Box& box = system.box;
-  const double width = box.boundary[0] == Boundary::open ? extent.high.x - extent.low.x + diameter : box.size.x;
-  const double height = box.boundary[1] == Boundary::open ? extent.high.y - extent.low.y + diameter : box.size.y;
-  const double reach = std::sqrt(kDisks * width * height / (count * kPi));
+  Extent occupied = extent;
+  occupied.high = occupied.high + Vec2{diameter, diameter};
+  const Vec2 size = size_of(occupied);
+  const double reach = std::sqrt(kDisks * size.x * size.y / (count * kPi));
   return std::clamp(reach - diameter, 0.1 * diameter, 8 * diameter);
 }
 
+/// Of the box; along axes that are open or cut, of the part that the disks are in.
+Vec2 Workspace::size_of(const Extent& range) const noexcept {
+  const auto whole = [&](int axis) { return system.box.boundary[axis] != Boundary::open && !range.cut[axis]; };
+  return {whole(0) ? system.box.size.x : range.high.x - range.low.x,
+          whole(1) ? system.box.size.y : range.high.y - range.low.y};
+}
+
 void Workspace::find_neighbours() {
-  const Extent range = extent(0);
+  const Extent range = part_ ? *part_ : extent(0);
   slack_ = 4 * rounding_slack(range);  // with some room for the windows to come
-  if (chooses_cells()) {
-    const double width = options_.cell_size > 0 ? options_.cell_size : default_cell_size();
-    cells = std::make_unique<Cells>(system, width, 2 * slack_, records, ids);
+  if (chooses_cells(range)) {
+    const double width = options_.cell_size > 0 ? options_.cell_size : default_cell_size(range);
+    cells = std::make_unique<Cells>(system, range, width, 2 * slack_, records, ids);
   } else {
     build_lists(range);
   }
 }
 
 /// Lists where the disks are dense or of very different sizes, and where the box is not made for cells.
-bool Workspace::chooses_cells() const {
+bool Workspace::chooses_cells(const Extent& range) const {
   constexpr double kDensest = 0.65;         // packing fraction from which on lists were measured to be faster
   constexpr double kWidestSizeRatio = 2.5;  // a cell is as wide as the largest disk
-  if (!Cells::fit(system, 2 * slack_)) return false;
+  if (!Cells::fit(system, range, 2 * slack_)) return false;
   if (options_.neighbourhood) return *options_.neighbourhood == Neighbourhood::cells;
   double smallest = predict::kNever;
   double largest = 0;
@@ -176,14 +214,14 @@ bool Workspace::chooses_cells() const {
     smallest = std::min(smallest, own.radius);
     largest = std::max(largest, own.radius);
   }
-  return largest <= kWidestSizeRatio * smallest && packing_fraction(system) < kDensest;
+  return largest <= kWidestSizeRatio * smallest && packing_fraction_ < kDensest;
 }
 
 /// So wide that a cell holds about kDisks disks.
-double Workspace::default_cell_size() const noexcept {
+double Workspace::default_cell_size(const Extent& range) const noexcept {
   constexpr double kDisks = 0.8;
-  const Box& box = system.box;
-  return std::sqrt(kDisks * box.size.x / static_cast<double>(records.size()) * box.size.y);
+  const Vec2 size = size_of(range);
+  return std::sqrt(kDisks * size.x / static_cast<double>(records.size()) * size.y);
 }
 
 void Workspace::build_lists(const Extent& range) {
@@ -211,7 +249,7 @@ void Workspace::widen_lists(double time) {
   renewals_now_ = 0;
   const double shell = 2 * lists->shell();
   if (shell > widest_shell()) return;
-  lists = std::make_unique<Lists>(system, extent(time), shell, slack_, records, ids, time);
+  lists = std::make_unique<Lists>(system, part_ ? *part_ : extent(time), shell, slack_, records, ids, time);
   predicted = false;
   first_unpredicted = 0;
 }
@@ -298,6 +336,7 @@ Image Workspace::fold(Index k) {
 }
 
 void Workspace::renew_list(Index k, double time) {
+  if (patched) note_excursion(k, time);
   lists->renew(k, predict::position_at(records[k].flight(), time));
   ++renewals_;
   ++renewals_now_;
@@ -318,13 +357,13 @@ std::uint32_t Workspace::next_generation(Index i, Index j, double time) {
   tie_time_ = time;
   generations_[i] = generation;
   generations_[j] = generation;
-  ++books->ties;
+  if (counts(i)) ++books->ties;
   return generation;
 }
 
-double Workspace::restitution_at(double time, double last, double restitution) noexcept {
+double Workspace::restitution_at(double time, double last, double restitution, bool counted) noexcept {
   if (!collapses(time, last, restitution, system.physics.t_c)) return restitution;
-  ++books->collapses;
+  if (counted) ++books->collapses;
   return 1;
 }
 
@@ -341,7 +380,7 @@ Image Workspace::collide_with_wall(Index k, double time) {
 
   double restitution = system.physics.wall_restitution;
   if (!last_contact.empty()) {
-    restitution = restitution_at(time, last_contact[k], restitution);
+    restitution = restitution_at(time, last_contact[k], restitution, counts(k));
     last_contact[k] = time;
   }
   double& v = axis == 0 ? own.vx : own.vy;
@@ -350,7 +389,9 @@ Image Workspace::collide_with_wall(Index k, double time) {
   const double impulse = mass(k) * std::abs(v - v_before);
   ++own.events;
 
-  books->wall_impulse_of[ids[k]] += impulse;
+  wall_impulse[k] += impulse;
+  if (patched) histories[k] = next_history(histories[k], time, id_of(wall), {}, {own.vx, own.vy});
+  if (!counts(k)) return turns;
   ++books->wall_collisions;
   const Vec2 position{own.x, own.y};
   note_overlap(overlap_with_wall(position, own.radius, wall, system.box.size));
@@ -394,12 +435,81 @@ void Workspace::book() {
     books->events_of[ids[k]] += records[k].events - (booked_.empty() ? 0 : booked_[k]);
     books->virial_of[ids[k]] = virial[k];
   }
+  for (std::size_t k = 0; k < wall_impulse.size(); ++k) books->wall_impulse_of[ids[k]] = wall_impulse[k];
   booked_.resize(records.size());
   for (std::size_t k = 0; k < records.size(); ++k) booked_[k] = records[k].events;
-  if (one_kind && least_distance_squared < predict::kNever) {
-    const double sigma = 2 * records[0].radius;
-    note_overlap((sigma - std::sqrt(least_distance_squared)) / sigma);
+  note_least_distance();
+}
+
+void Workspace::note_least_distance() noexcept {
+  if (!one_kind || !(least_distance_squared < predict::kNever)) return;
+  const double sigma = 2 * records[0].radius;
+  note_overlap((sigma - std::sqrt(least_distance_squared)) / sigma);
+}
+
+/// How far the disk's stored position has come since the window's start, folds undone.
+Vec2 Workspace::unfolded(Index k, Vec2 place) const {
+  const auto found = turns_.find(k);
+  if (found == turns_.end()) return place;
+  return {place.x + static_cast<double>(found->second.first) * system.box.size.x,
+          place.y + static_cast<double>(found->second.second) * system.box.size.y};
+}
+
+void Workspace::note_excursion(Index k, double time) {
+  const Vec2 place = unfolded(k, predict::position_at(records[k].flight(), time));
+  const Vec2 start = starts_[k];
+  const Vec2 roam = roaming();
+  if (std::abs(place.x - start.x) + roam.x <= clear_ && std::abs(place.y - start.y) + roam.y <= clear_) return;
+  const Vec2 clear{std::max(clear_, roam.x), std::max(clear_, roam.y)};
+  Rectangle& path = paths_.try_emplace(k, Rectangle{start - clear, start + clear}).first->second;
+  path.low = {std::min(path.low.x, place.x - roam.x), std::min(path.low.y, place.y - roam.y)};
+  path.high = {std::max(path.high.x, place.x + roam.x), std::max(path.high.y, place.y + roam.y)};
+}
+
+/// How far a disk can go along either axis before its next grid event.
+Vec2 Workspace::roaming() const noexcept { return cells ? cells->width() : Vec2{lists->leash(), lists->leash()}; }
+
+void Workspace::store_patch(double time, const PatchOutput& output, PatchReport& report) {
+  const Vec2 roam = roaming();
+  const bool always_far = std::max(roam.x, roam.y) > clear_;
+  for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
+    Record& own = records[k];
+    const DiskId id = ids[k];
+    const Vec2 place = predict::position_at(own.flight(), time);
+    own.x = place.x;
+    own.y = place.y;
+    own.t = time;
+    fold(k);
+    if (roles[k] == Role::far) continue;
+    if (roles[k] == Role::near) {
+      report.near.push_back({id, own.events, histories[k], {own.x, own.y}, {own.vx, own.vy}});
+      continue;
+    }
+    Frame& disks = *output.disks;
+    disks.x[id] = own.x;
+    disks.y[id] = own.y;
+    disks.vx[id] = own.vx;
+    disks.vy[id] = own.vy;
+    disks.winding_x[id] = start_->disks.winding_x[id];
+    disks.winding_y[id] = start_->disks.winding_y[id];
+    if (const auto turns = turns_.find(k); turns != turns_.end()) {
+      disks.winding_x[id] += turns->second.first;
+      disks.winding_y[id] += turns->second.second;
+    }
+    (*output.events)[id] = own.events;
+    (*output.history)[id] = histories[k];
+    (*output.virial)[id] = virial[k];
+    if (!wall_impulse.empty()) (*output.wall_impulse)[id] = wall_impulse[k];
+    if (!last_contact.empty()) (*output.last_contact)[id] = last_contact[k] - time;
+    if (always_far) note_excursion(k, time);
   }
+  for (const auto& [k, path] : paths_) {
+    if (roles[k] == Role::owned) report.excursions.push_back({ids[k], path});
+  }
+  report.books.collisions += collisions;
+  report.contacts += contacts;
+  report.met_far = met_far;
+  note_least_distance();
 }
 
 void Workspace::close(State& next) {
@@ -449,6 +559,7 @@ void Workspace::close(State& next) {
 }
 
 void Workspace::note_overlaps_of(Index k) {
+  if (!counts(k)) return;
   const Record& own = records[k];
   const Vec2 size = system.box.size;
   for_neighbours(k, [&](const Neighbour& neighbour) {

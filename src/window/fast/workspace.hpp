@@ -1,8 +1,11 @@
 // All that a window works with, and those of its steps that are not hot.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -11,6 +14,7 @@
 #include "calendar.hpp"
 #include "carom/state/state.hpp"
 #include "carom/window/books.hpp"
+#include "carom/window/patch.hpp"
 #include "carom/window/solver.hpp"
 #include "cells.hpp"
 #include "huge_pages.hpp"
@@ -30,6 +34,18 @@ struct EventKey {
   friend constexpr auto operator<=>(const EventKey&, const EventKey&) = default;
 };
 
+/// A disk's history after one more event: whose hash is the same had, as good as certainly, the same events.
+inline std::uint64_t next_history(std::uint64_t history, double time, DiskId partner, Image image,
+                                  Vec2 velocity) noexcept {
+  constexpr std::uint64_t kFirst = 0x9E3779B97F4A7C15;  // odd, with bits as if at random
+  constexpr std::uint64_t kSecond = 0xC2B2AE3D27D4EB4F;
+  const auto image_bits = static_cast<std::uint64_t>(static_cast<std::uint32_t>(image.x * 65536 + image.y)) << 32;
+  history = (history ^ std::bit_cast<std::uint64_t>(time)) * kFirst;
+  history = (std::rotl(history, 29) ^ std::bit_cast<std::uint64_t>(velocity.x)) * kSecond;
+  history = (std::rotl(history, 31) ^ std::bit_cast<std::uint64_t>(velocity.y)) * kFirst;
+  return (std::rotl(history, 27) ^ (image_bits | partner)) * kSecond;
+}
+
 /// The earliest contact that a prediction found.
 struct Contact {
   double time = predict::kNever;
@@ -40,10 +56,16 @@ struct Contact {
 /// One window's disks, lists and calendar. Members above the line are read and written by the hot loop (Events).
 class Workspace {
  public:
-  Workspace(const System& of, const SolverOptions& options) : system(of), options_(options) {}
+  Workspace(const System& of, const SolverOptions& options)
+      : system(of), options_(options), packing_fraction_(packing_fraction(of)) {}
 
   /// Loads the window's start, unless it is the end of the window closed before.
   void open(const State& start, Books& to, std::vector<Collision>* rows);
+  /// Loads the disks of a patch. Counts go to `to`, which has no arrays; sums begin with those of `from`.
+  void open_patch(const State& start, const Books& from, const PatchTask& task, Books& to,
+                  std::vector<Collision>* rows);
+  /// After all events before `time`: writes what became of the patch's disks.
+  void store_patch(double time, const PatchOutput& output, PatchReport& report);
   /// The disks at `time`, from the loaded ones.
   void read(double time, Frame& frame) const;
   /// Enters in the books what the disks' own records count.
@@ -59,6 +81,7 @@ class Workspace {
   Array<Record> records;
   Array<DiskId> ids;
   Array<double> virial;          // Σ ½ |J| σ of each disk, from the books on
+  Array<double> wall_impulse;    // Σ |J| of each disk, from the books on; empty where there are no walls
   Array<double> last_contact;    // of each disk (time); empty in elastic systems
   std::unique_ptr<Lists> lists;  // one of the two
   std::unique_ptr<Cells> cells;
@@ -67,6 +90,13 @@ class Workspace {
   Books* books = nullptr;
   std::vector<Collision>* log = nullptr;
   std::uint64_t collisions = 0;  // not yet in the books
+
+  // Of a patch; empty and 0 where all disks are here.
+  bool patched = false;
+  Array<Role> roles;
+  Array<std::uint64_t> histories;  // see NearCopy
+  std::uint64_t contacts = 0;      // of disks, the halo's too
+  bool met_far = false;
 
   // ----------------------------------------------------------------------------------------------------------
 
@@ -92,23 +122,33 @@ class Workspace {
   /// Generation of a contact of disks i and j at `time`, one of which had an event at that time before.
   std::uint32_t next_generation(Index i, Index j, double time);
   /// The TC rule.
-  double restitution_at(double time, double last, double restitution) noexcept;
+  double restitution_at(double time, double last, double restitution, bool counted) noexcept;
   /// Returns how many periods were taken off the disk's position.
   Image collide_with_wall(Index k, double time);
   /// No pair may overlap at a window's end and no disk reach past a wall: a missed collision would show here.
   void note_overlaps_of(Index k);
   void note_overlap(double overlap) noexcept { books->largest_overlap = std::max(books->largest_overlap, overlap); }
   [[nodiscard]] double mass(Index k) const noexcept { return system.mass(ids[k]); }
+  /// Whether what happens to a pair with disk k's smaller id, or to disk k at a wall, is counted here: by its owner.
+  [[nodiscard]] bool counts(Index k) const noexcept { return !patched || roles[k] == Role::owned; }
+  /// In a patch: disk k is on its way, at a grid event. What goes far is noted.
+  void note_excursion(Index k, double time);
 
  private:
   using Turns = std::pair<std::int64_t, std::int64_t>;
 
+  void begin_window(const State& start, Books& to, std::vector<Collision>* rows);
+  void load_sums(const Books& from);
+  void note_least_distance() noexcept;
+  [[nodiscard]] Vec2 roaming() const noexcept;
   [[nodiscard]] bool continues(const State& start) const noexcept;
-  void load(const State& start);
+  void load(const State& start, std::span<const DiskId> order);
   void find_neighbours();
   void build_lists(const Extent& range);
-  [[nodiscard]] double default_cell_size() const noexcept;
-  [[nodiscard]] bool chooses_cells() const;
+  [[nodiscard]] double default_cell_size(const Extent& range) const noexcept;
+  [[nodiscard]] bool chooses_cells(const Extent& range) const;
+  [[nodiscard]] Vec2 size_of(const Extent& range) const noexcept;
+  [[nodiscard]] Vec2 unfolded(Index k, Vec2 place) const;
   template <class Visit>
   void for_neighbours(Index k, Visit visit) const {
     if (cells) {
@@ -129,8 +169,13 @@ class Workspace {
 
   SolverOptions options_;
   const State* start_ = nullptr;
-  bool closed_ = false;                     // the records stand at the end of a window
-  double rate_ = 0;                         // events entered per time in the window before; 0 if unknown
+  bool closed_ = false;          // the records stand at the end of a window
+  double rate_ = 0;              // events entered per time in the window before; 0 if unknown
+  std::optional<Extent> part_;   // of the plane, in a patch
+  double clear_ = 0;             // see PatchTask
+  double packing_fraction_ = 0;  // of the system
+  Array<Vec2> starts_;           // of the patch's disks
+  std::unordered_map<Index, Rectangle> paths_;
   double slack_ = 0;                        // that lists and cells allow for the rounding of positions (length)
   std::uint64_t renewals_ = 0;              // of lists since the disks were put in order
   std::uint64_t renewals_now_ = 0;          // of lists in this window since they were last widened

@@ -1,0 +1,158 @@
+#include "layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace carom {
+namespace {
+
+constexpr double kDisksPerBin = 6;
+/// A periodic axis of which more than this has to be loaded is loaded whole.
+constexpr double kLargestPart = 0.7;
+
+double along(Vec2 v, int axis) noexcept { return axis == 0 ? v.x : v.y; }
+
+}  // namespace
+
+Layout::Layout(const System& system, std::uint32_t columns, std::uint32_t rows) noexcept
+    : system_(system), count_{columns, rows} {}
+
+void Layout::sort(const Frame& disks) {
+  disks_ = &disks;
+  const Box& box = system_.box;
+  const auto count = static_cast<double>(disks.size());
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::vector<double>& x = axis == 0 ? disks.x : disks.y;
+    Axis& a = axis_[axis];
+    a.periodic = box.periodic(axis);
+    if (box.boundary[axis] == Boundary::open) {
+      const auto [low, high] = std::minmax_element(x.begin(), x.end());
+      a.low = *low;
+      a.size = std::max(*high - *low, 2 * system_.largest_radius());
+    } else {
+      a.low = 0;
+      a.size = along(box.size, axis);
+    }
+  }
+  const double width = std::sqrt(kDisksPerBin * axis_[0].size / count * axis_[1].size);
+  for (Axis& a : axis_) {
+    a.bins = static_cast<std::int64_t>(std::clamp(a.size / width, 1.0, count));
+    a.bin = a.size / static_cast<double>(a.bins);
+  }
+  start_.assign(static_cast<std::size_t>(axis_[0].bins * axis_[1].bins) + 1, 0);
+  order_.resize(disks.size());
+  const auto bin_of = [&](std::size_t id) {
+    return static_cast<std::size_t>(bin_along(axis_[1], disks.y[id]) * axis_[0].bins +
+                                    bin_along(axis_[0], disks.x[id]));
+  };
+  for (std::size_t id = 0; id < disks.size(); ++id) ++start_[bin_of(id)];
+  std::inclusive_scan(start_.begin(), start_.end(), start_.begin());
+  for (std::size_t id = disks.size(); id-- > 0;) order_[--start_[bin_of(id)]] = static_cast<DiskId>(id);
+}
+
+std::int64_t Layout::bin_along(const Axis& axis, double x) noexcept {
+  return static_cast<std::int64_t>(std::clamp((x - axis.low) / axis.bin, 0.0, static_cast<double>(axis.bins - 1)));
+}
+
+std::uint32_t Layout::owner_along(int axis, double x) const noexcept {
+  const Axis& a = axis_[axis];
+  const double place = (x - a.low) / a.size * count_[axis];
+  return static_cast<std::uint32_t>(std::clamp(place, 0.0, static_cast<double>(count_[axis] - 1)));
+}
+
+Rectangle Layout::owned(std::size_t patch) const noexcept {
+  const auto edge = [&](int axis, std::size_t number) {
+    const Axis& a = axis_[axis];
+    return a.low + a.size * static_cast<double>(number) / count_[axis];
+  };
+  const std::size_t column = patch % count_[0];
+  const std::size_t row = patch / count_[0];
+  return {{edge(0, column), edge(1, row)}, {edge(0, column + 1), edge(1, row + 1)}};
+}
+
+/// The bins that [low, high] takes up; those beyond a periodic axis's end count on.
+Layout::Bins Layout::bins_within(const Axis& axis, double low, double high) noexcept {
+  const double first = std::floor((low - axis.low) / axis.bin);
+  const double last = std::floor((high - axis.low) / axis.bin);
+  const auto all = static_cast<double>(axis.bins);
+  if (axis.periodic) {
+    if (last - first + 1 > kLargestPart * all) return {0, axis.bins, false};
+    return {static_cast<std::int64_t>(first), static_cast<std::int64_t>(last - first + 1), true};
+  }
+  const auto from = static_cast<std::int64_t>(std::clamp(first, 0.0, all - 1));
+  const auto to = static_cast<std::int64_t>(std::clamp(last, 0.0, all - 1));
+  return {from, to - from + 1, from > 0 || to < axis.bins - 1};
+}
+
+void Layout::load(std::size_t patch, double near, double halo, Loading& loading) const {
+  const Rectangle own = owned(patch);
+  const Bins columns = bins_within(axis_[0], own.low.x - halo, own.high.x + halo);
+  const Bins rows = bins_within(axis_[1], own.low.y - halo, own.high.y + halo);
+  loading.cut = {columns.cut, rows.cut};
+  loading.whole = !columns.cut && !rows.cut;
+  const auto edge = [](const Axis& axis, std::int64_t bin) { return axis.low + static_cast<double>(bin) * axis.bin; };
+  loading.loaded = {{edge(axis_[0], columns.first), edge(axis_[1], rows.first)},
+                    {edge(axis_[0], columns.first + columns.count), edge(axis_[1], rows.first + rows.count)}};
+  loading.disks.clear();
+  loading.roles.clear();
+  const auto folded = [](std::int64_t bin, const Axis& axis) { return (bin % axis.bins + axis.bins) % axis.bins; };
+  for (std::int64_t b = rows.first; b < rows.first + rows.count; ++b) {
+    const std::int64_t row = folded(b, axis_[1]) * axis_[0].bins;
+    for (std::int64_t a = columns.first; a < columns.first + columns.count; ++a) {
+      const auto bin = static_cast<std::size_t>(row + folded(a, axis_[0]));
+      for (std::uint32_t place = start_[bin]; place < start_[bin + 1]; ++place) {
+        loading.disks.push_back(order_[place]);
+        loading.roles.push_back(role(patch, order_[place], near));
+      }
+    }
+  }
+}
+
+void Layout::load_all(Loading& loading) const {
+  loading.cut = {false, false};
+  loading.whole = true;
+  loading.loaded = {{axis_[0].low, axis_[1].low}, {axis_[0].low + axis_[0].size, axis_[1].low + axis_[1].size}};
+  loading.disks = order_;
+  loading.roles.assign(order_.size(), Role::owned);
+}
+
+Role Layout::role(std::size_t patch, DiskId id, double near) const noexcept {
+  const Vec2 position = disks_->position(id);
+  const bool owned = owner_along(0, position.x) == patch % count_[0] && owner_along(1, position.y) == patch / count_[0];
+  if (owned) return Role::owned;
+  return distance(patch, position) <= near ? Role::near : Role::far;
+}
+
+double Layout::distance(std::size_t patch, Vec2 position) const noexcept {
+  const Rectangle own = owned(patch);
+  double farthest = 0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Axis& a = axis_[axis];
+    const double half = 0.5 * (along(own.high, axis) - along(own.low, axis));
+    double from_middle = std::abs(along(position, axis) - (along(own.low, axis) + half));
+    if (a.periodic) from_middle = std::min(from_middle, std::abs(a.size - from_middle));
+    farthest = std::max(farthest, from_middle - half);
+  }
+  return farthest;
+}
+
+bool Layout::touches(std::size_t patch, const Rectangle& path, double margin) const noexcept {
+  const Rectangle own = owned(patch);
+  for (int axis = 0; axis < 2; ++axis) {
+    const Axis& a = axis_[axis];
+    const double low = along(own.low, axis) - margin;
+    const double high = along(own.high, axis) + margin;
+    double from = along(path.low, axis);
+    double to = along(path.high, axis);
+    if (a.periodic) {
+      const double periods = std::ceil((low - to) / a.size);  // to the first copy that ends beyond `low`
+      from += periods * a.size;
+      to += periods * a.size;
+    }
+    if (from > high || to < low) return false;
+  }
+  return true;
+}
+
+}  // namespace carom
