@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "command.hpp"
 
 namespace carom::program {
 namespace {
+
+constexpr std::uint64_t kMostThreads = 1024;
+constexpr std::uint64_t kMostPatches = 4096;  // along one axis
 
 /// The whole text as a finite number, or nothing. CLI11's own conversion goes through long double and rounds twice.
 std::optional<double> number_in(std::string_view text) {
@@ -28,6 +33,19 @@ std::optional<std::uint64_t> count_in(std::string_view text) {
   const std::optional<double> number = number_in(text);
   const bool whole = number && *number >= 0 && *number < 0x1p53 && *number == std::rint(*number);
   return whole ? std::optional(static_cast<std::uint64_t>(*number)) : std::nullopt;
+}
+
+/// The numbers of "4x4"; none if one of them is not a whole number.
+std::vector<std::uint64_t> counts_across(const std::string& text) {
+  std::vector<std::uint64_t> counts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('x', begin), text.size());
+    const std::optional<std::uint64_t> count = count_in(std::string_view(text).substr(begin, end - begin));
+    if (!count) return {};
+    counts.push_back(*count);
+    begin = end + 1;
+  }
+  return counts;
 }
 
 double parse_number(std::string_view option, const std::string& text) {
@@ -102,6 +120,30 @@ CLI::Option* add_solver(CLI::App& command, SolverKind& target) {
   static const std::map<std::string, SolverKind> solvers{{"fast", SolverKind::fast},
                                                          {"reference", SolverKind::reference}};
   return add_choice(command, "--solver", target, solvers, "which solver: fast or reference; both give the same bits");
+}
+
+void add_parallel(CLI::App& command, ParallelOptions& target) {
+  const auto threads = [](const std::string& option, const std::string& text) {
+    const std::uint64_t count = parse_count(option, text);
+    if (count < 1 || count > kMostThreads) {
+      throw Error(fmt::format("{} {}: it must be from 1 to {}", option, text, kMostThreads));
+    }
+    return static_cast<unsigned>(count);
+  };
+  add(command, "--threads", target.threads, "divide the work among so many threads; any number gives the same bits",
+      "COUNT", threads);
+  const auto patches = [](const std::string& option, const std::string& text) {
+    const std::vector<std::uint64_t> counts = counts_across(text);
+    if (counts.size() != 2) throw UsageError(fmt::format("{}: '{}' is not two whole numbers like 4x4", option, text));
+    for (const std::uint64_t count : counts) {
+      if (count < 1 || count > kMostPatches) {
+        throw Error(fmt::format("{} {}: each number must be from 1 to {}", option, text, kMostPatches));
+      }
+    }
+    return std::array{static_cast<std::uint32_t>(counts[0]), static_cast<std::uint32_t>(counts[1])};
+  };
+  add(command, "--patches", target.patches,
+      "cut the plane into columns x rows of patches; chosen from system and threads by default", "AxB", patches);
 }
 
 }  // namespace carom::program

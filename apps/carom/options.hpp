@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "carom/run/parallel.hpp"
 #include "carom/window/solver.hpp"
 
 namespace carom::program {
@@ -45,6 +46,8 @@ CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& t
 
 /// The option --solver.
 CLI::Option* add_solver(CLI::App& command, SolverKind& target);
+/// --threads and --patches.
+void add_parallel(CLI::App& command, ParallelOptions& target);
 
 /// An option whose value must be one of some names.
 template <typename Value>

@@ -28,6 +28,7 @@ struct RunOptions {
   std::optional<std::uint64_t> collisions;
   std::optional<double> equilibrate;
   SolverKind solver = SolverKind::fast;
+  ParallelOptions parallel;
   std::optional<std::uint64_t> seed;
   std::string out;
   std::optional<double> every;
@@ -114,6 +115,7 @@ int run_command(const RunOptions& options) {
   plan.settings = settled(file.run, options);
   plan.solver.kind = options.solver;
   plan.solver.simd = simd_from_environment();
+  plan.parallel = options.parallel;
   plan.title = file.scene.title;
   plan.command = command_line();
   Setup setup = realize_here(file.scene);
@@ -148,6 +150,7 @@ void add_run(CLI::App& app, Action& action) {
   add_number(*command, "--equilibrate", options->equilibrate,
              "measure the pressure from the first window after this time");
   add_solver(*command, options->solver);
+  add_parallel(*command, options->parallel);
   add_count(*command, "--seed", options->seed, "take the place of the seeds in the scene");
   add_path(*command, "--out", options->out, "DIR",
            "directory for report.json, scene.toml, final.xyz and the trajectory");

@@ -92,7 +92,7 @@ class SceneRun {
       : plan_(checked(plan)),
         scene_digest_(digest(setup.system, setup.frame)),
         log_(plan.collisions_file ? std::make_unique<CollisionLog>(*plan.collisions_file) : nullptr),
-        simulation_(prepare(std::move(setup)), plan.solver) {
+        simulation_(prepare(std::move(setup)), plan.solver, plan.parallel) {
     simulation_.measure_from(plan.settings.equilibrate);
     if (plan.interrupt != nullptr) simulation_.stop_when(*plan.interrupt);
     if (log_) simulation_.add_observer(*log_);
@@ -137,7 +137,9 @@ class SceneRun {
     double target = window_end;
     if (plan_.settings.until) target = std::min(target, *plan_.settings.until);
     if (trajectory_) target = std::min(target, trajectory_->next_time());
-    if (plan_.progress) target = std::min(target, simulation_.time() + clock.length / kProgressPerWindow);
+    // A window that is divided starts from its beginning after every stop.
+    const bool steps = plan_.progress && simulation_.division().patches == 1;
+    if (steps) target = std::min(target, simulation_.time() + clock.length / kProgressPerWindow);
     if (!(target > simulation_.time())) target = window_end;  // steps too short to be told apart
     if (target < window_end) {
       interrupted_ = simulation_.run_until(target) == Simulation::Stop::interrupted;

@@ -61,6 +61,7 @@ void describe_run(const RunRecord& record, Lines& lines) {
   lines.number("speed", collisions_per_second(record), " collisions per second");
   lines.line("solver", "{}, {}, {}, {}", summary.solver, summary.simd, counted(summary.threads, "thread", "threads"),
              counted(summary.patches, "patch", "patches"));
+  if (summary.patches > 1) lines.line("duplicated work", "{:.3g} %", 100 * summary.duplicated_work);
 }
 
 void certify(const RunRecord& record, Lines& lines) {
@@ -110,6 +111,13 @@ std::string report_json(const RunRecord& record) {
       {"version", record.version},
       {"command", record.command},
       {"compiler", record.compiler},
+      {"patches_repaired", summary.patches_repaired},
+      {"duplicated_work", number_or_null(summary.duplicated_work)},
+      {"phase_seconds",
+       {{"sort", summary.phases.sort},
+        {"advance", summary.phases.advance},
+        {"verify", summary.phases.verify},
+        {"collect", summary.phases.collect}}},
   };
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

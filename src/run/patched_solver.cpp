@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
+#include "carom/run/window_length.hpp"
 #include "carom/window/patch.hpp"
 #include "layout.hpp"
 
@@ -14,6 +16,57 @@ namespace {
 bool same_bits(double a, double b) noexcept {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
+
+/// How far influence spreads with every contact of a disk, in mean spacings, with something to spare.
+constexpr double kDepth = 2;
+/// Root mean square ways that a disk goes before it counts as one that went far.
+constexpr double kFar = 5;
+
+struct Copies {
+  double near = 0;
+  double halo = 0;
+};
+
+/// `contacts` per disk in the window, 0 if unknown.
+Copies copies_for(const System& system, const State& start, double contacts, double depth) {
+  const std::size_t count = system.size();
+  double squares = 0;
+  Vec2 low = start.disks.position(0);
+  Vec2 high = low;
+  for (std::size_t k = 0; k < count; ++k) {
+    squares += dot(start.disks.velocity(k), start.disks.velocity(k));
+    low = {std::min(low.x, start.disks.x[k]), std::min(low.y, start.disks.y[k])};
+    high = {std::max(high.x, start.disks.x[k]), std::max(high.y, start.disks.y[k])};
+  }
+  if (!(contacts > 0)) contacts = expected_contacts(system, start);
+  contacts = std::max(contacts, 0.1);
+  const double reach = 2 * system.largest_radius();
+  const double spacing =
+      std::sqrt(std::max(high.x - low.x, reach) * std::max(high.y - low.y, reach) / static_cast<double>(count));
+  const double speed = std::sqrt(squares / static_cast<double>(2 * count));  // along either axis
+  const double way = speed * start.clock.length * std::min(1.0, std::sqrt(2 / contacts));
+  const double near = reach + 2 * (spacing + kFar * way);
+  return {near, near + depth * contacts * spacing};
+}
+
+/// Adds to a sum of seconds until it is stopped or ends.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(&seconds) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { stop(); }
+  void stop() const {
+    if (seconds_ == nullptr) return;
+    *seconds_ += std::chrono::duration<double>(Clock::now() - start_).count();
+    seconds_ = nullptr;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  mutable double* seconds_;
+  Clock::time_point start_ = Clock::now();
+};
 
 class PatchedSolver final : public DividedSolver {
  public:
@@ -31,11 +84,6 @@ class PatchedSolver final : public DividedSolver {
       solvers_.push_back(make_patch_solver(system, solver));
     }
     name_of_simd_ = make_fast_solver(system, solver)->simd();
-    const double spacing = std::sqrt(system.box.size.x * system.box.size.y / static_cast<double>(system.size()));
-    const double step = spacing > 0 ? spacing : reach_;
-    near_ = parallel.near > 0 ? parallel.near : 2 * reach_ + 3 * step;
-    halo_ = parallel.halo > 0 ? parallel.halo : near_ + 12 * step;
-    halo_ = std::max(halo_, near_);
     reports_.resize(layout_.patches());
     attempts_.resize(layout_.patches());
     division_.threads = executor_->workers();
@@ -60,6 +108,7 @@ class PatchedSolver final : public DividedSolver {
     undivided_.reset();
     books_at_start_.reset();
     sorted_ = false;
+    choose_copies();
   }
 
   bool advance_to(double time, const std::atomic<bool>& interrupt) override {
@@ -70,7 +119,10 @@ class PatchedSolver final : public DividedSolver {
     }
     if (books_at_start_) restore();
     if (!advance_patches(time, interrupt)) return false;
-    commit();
+    const std::uint64_t events = commit();
+    if (time == start_->clock.length) {
+      contacts_ = 2 * static_cast<double>(events) / static_cast<double>(system_.size());
+    }
     advanced_ = time;
     return true;
   }
@@ -113,18 +165,20 @@ class PatchedSolver final : public DividedSolver {
   }
 
   bool advance_patches(double until, const std::atomic<bool>& interrupt) {
+    const Stopwatch sorting(division_.phases.sort);
     if (!sorted_) layout_.sort(start_->disks);
     sorted_ = true;
     make_room();
+    sorting.stop();
     std::vector<std::size_t> patches(layout_.patches());
     std::iota(patches.begin(), patches.end(), std::size_t{0});
     std::fill(attempts_.begin(), attempts_.end(), Attempt{near_, halo_, false});
     whole_plane_ = false;
-    bool repaired = false;
+    std::size_t repaired = 0;
     while (!patches.empty()) {
       if (!run(patches, until, interrupt)) return false;
       patches = failed();
-      repaired = repaired || !patches.empty();
+      repaired += patches.size();
       division_.patches_repaired += patches.size();
       for (const std::size_t patch : patches) {
         attempts_[patch].near *= 2;
@@ -135,11 +189,13 @@ class PatchedSolver final : public DividedSolver {
         return advance_whole_plane(until, interrupt);
       }
     }
-    division_.windows_repaired += repaired ? 1 : 0;
+    division_.windows_repaired += repaired > 0 ? 1 : 0;
+    learn(repaired);
     return true;
   }
 
   bool run(const std::vector<std::size_t>& patches, double until, const std::atomic<bool>& interrupt) {
+    const Stopwatch advancing(division_.phases.advance);
     std::atomic<bool> finished{true};
     executor_->for_each(patches.size(), [&](std::size_t item, std::size_t worker) {
       const std::size_t patch = patches[item];
@@ -147,7 +203,7 @@ class PatchedSolver final : public DividedSolver {
       Loading& loading = loadings_[worker];
       layout_.load(patch, attempt.near, attempt.halo, loading);
       attempt.whole = loading.whole;
-      if (!run(worker, loading, attempt, until, reports_[patch], interrupt)) finished = false;
+      if (!run(worker, loading, until, reports_[patch], interrupt)) finished = false;
     });
     division_.patch_windows += patches.size();
     return finished;
@@ -159,33 +215,61 @@ class PatchedSolver final : public DividedSolver {
     bool whole = false;  // all disks were loaded
   };
 
-  bool run(std::size_t worker, const Loading& loading, const Attempt& attempt, double until, PatchReport& report,
+  bool run(std::size_t worker, const Loading& loading, double until, PatchReport& report,
            const std::atomic<bool>& interrupt) {
-    const PatchTask task{loading.loaded, loading.cut, loading.disks, loading.roles, clear_of(attempt)};
+    const PatchTask task{loading.loaded, loading.cut, loading.disks, loading.roles, clear_of({near_, halo_, false})};
     const PatchOutput output{&end_, &last_contact_, &events_, &history_, &virial_, &wall_impulse_};
     return solvers_[worker]->run(*start_, books_at_start(), task, until, log_ != nullptr, output, report, interrupt);
   }
 
   /// The whole plane as one patch: needs no check.
   bool advance_whole_plane(double until, const std::atomic<bool>& interrupt) {
+    const Stopwatch advancing(division_.phases.advance);
     Loading& loading = loadings_[0];
     layout_.load_all(loading);
     whole_plane_ = true;
     ++division_.windows_repaired;
     ++division_.patch_windows;
-    return run(0, loading, {near_, halo_, true}, until, reports_[0], interrupt);
+    return run(0, loading, until, reports_[0], interrupt);
   }
 
-  /// How far an owned disk may go without being looked at one by one.
-  [[nodiscard]] double clear_of(const Attempt& attempt) const noexcept { return (attempt.near - reach_) / 2; }
+  /// How far an owned disk may go without being looked at one by one: so far that it cannot meet anybody who started
+  /// farther away than near ones and went no farther, by more than rounding.
+  [[nodiscard]] double clear_of(const Attempt& attempt) const noexcept {
+    return (attempt.near - reach_) / 2 - 1e-9 * attempt.near;
+  }
   [[nodiscard]] bool is_hopeless(std::size_t patch) const noexcept {
     return attempts_[patch].halo > 0.5 * std::max(system_.box.size.x, system_.box.size.y) || attempts_[patch].whole;
+  }
+
+  // --- copies ------------------------------------------------------------------------------------------------
+
+  /// How wide the strips of near and of all copies are, from how far disks go in this window and how deep what happens
+  /// outside works its way in: it goes from disk to disk with every contact.
+  void choose_copies() {
+    const Copies copies = copies_for(system_, *start_, contacts_, depth_);
+    near_ = parallel_.near > 0 ? parallel_.near : copies.near;
+    halo_ = std::max(near_, parallel_.halo > 0 ? parallel_.halo : copies.halo);
+  }
+
+  /// From how many patches had to be repaired: too many cost more than deeper halos, and none ever that they could be
+  /// shallower.
+  void learn(std::size_t repaired) noexcept {
+    constexpr double kTooMany = 0.02;
+    if (static_cast<double>(repaired) > kTooMany * static_cast<double>(layout_.patches())) {
+      depth_ = std::min(depth_ * 1.1, 4 * kDepth);
+      without_repair_ = 0;
+    } else if (repaired == 0 && ++without_repair_ == 16) {
+      depth_ = std::max(depth_ * 0.96, 0.5 * kDepth);
+      without_repair_ = 0;
+    }
   }
 
   // --- verify ------------------------------------------------------------------------------------------------
 
   /// The patches whose result is not certain.
   [[nodiscard]] std::vector<std::size_t> failed() {
+    const Stopwatch verifying(division_.phases.verify);
     std::vector<std::uint8_t> fails(layout_.patches(), 0);
     executor_->for_each(layout_.patches(), [&](std::size_t patch, std::size_t) {
       fails[patch] = static_cast<std::uint8_t>(!attempts_[patch].whole && !is_certain(patch));
@@ -248,12 +332,14 @@ class PatchedSolver final : public DividedSolver {
     if (!system_.physics.elastic()) last_contact_.resize(count);
   }
 
-  /// Enters in books and log what the patches did.
-  void commit() {
+  /// Enters in books and log what the patches did. Returns the number of events.
+  std::uint64_t commit() {
+    const Stopwatch collecting(division_.phases.collect);
     Books& books = *books_;
     for (std::size_t id = 0; id < events_.size(); ++id) books.events_of[id] += events_[id];
     std::copy(virial_.begin(), virial_.end(), books.virial_of.begin());
     std::copy(wall_impulse_.begin(), wall_impulse_.end(), books.wall_impulse_of.begin());
+    const std::uint64_t events_before = books.events();
     const std::size_t count = whole_plane_ ? 1 : reports_.size();
     for (std::size_t patch = 0; patch < count; ++patch) {
       const PatchReport& report = reports_[patch];
@@ -266,6 +352,7 @@ class PatchedSolver final : public DividedSolver {
       counted_ += report.books.collisions;
       if (log_ != nullptr) log_->insert(log_->end(), report.log.begin(), report.log.end());
     }
+    return books.events() - events_before;
   }
 
   const System& system_;
@@ -277,6 +364,9 @@ class PatchedSolver final : public DividedSolver {
   double reach_;  // the largest contact distance
   double near_ = 0;
   double halo_ = 0;
+  double depth_ = kDepth;
+  double contacts_ = 0;  // per disk, in the last whole window; 0 before
+  int without_repair_ = 0;
   std::vector<std::unique_ptr<PatchSolver>> solvers_;  // one per worker
   std::vector<Loading> loadings_;                      // one per worker
   std::string_view name_of_simd_;
@@ -308,7 +398,44 @@ class PatchedSolver final : public DividedSolver {
   std::uint64_t counted_ = 0;
 };
 
+/// The time that columns × rows patches take on so many threads, of that of an undivided window on one.
+double cost(Vec2 size, double halo, std::uint32_t columns, std::uint32_t rows, unsigned threads) noexcept {
+  const auto loaded = [halo](double length, std::uint32_t parts) {
+    return parts == 1 ? length : std::min(length, length / parts + 2 * halo);
+  };
+  constexpr double kPerWindow = 0.15;  // what loading adds
+  const double patch = loaded(size.x, columns) * loaded(size.y, rows) / (size.x * size.y) * (1 + kPerWindow);
+  const double rounds = std::ceil(static_cast<double>(columns) * rows / threads);
+  return patch * rounds;
+}
+
 }  // namespace
+
+ParallelOptions divided(const System& system, const State& start, const SolverOptions& solver,
+                        const ParallelOptions& parallel) {
+  ParallelOptions chosen = parallel;
+  if (solver.kind == SolverKind::reference || system.size() == 0) chosen.patches = {1, 1};
+  if (chosen.patches) return chosen;
+  chosen.patches = {1, 1};
+  if (parallel.threads <= 1) return chosen;
+  const Copies copies = copies_for(system, start, 0, kDepth);
+  const auto [low_x, high_x] = std::minmax_element(start.disks.x.begin(), start.disks.x.end());
+  const auto [low_y, high_y] = std::minmax_element(start.disks.y.begin(), start.disks.y.end());
+  const double reach = 2 * system.largest_radius();
+  const Vec2 size{std::max(*high_x - *low_x, reach), std::max(*high_y - *low_y, reach)};
+  constexpr double kWorthIt = 0.9;
+  constexpr std::uint32_t kMost = 64;
+  double least = kWorthIt;
+  for (std::uint32_t columns = 1; columns <= kMost; ++columns) {
+    for (std::uint32_t rows = 1; rows <= kMost; ++rows) {
+      const double time = cost(size, copies.halo, columns, rows, parallel.threads);
+      if (columns * rows < 2 || !(time < least)) continue;
+      least = time;
+      chosen.patches = {columns, rows};
+    }
+  }
+  return chosen;
+}
 
 std::unique_ptr<DividedSolver> make_patched_solver(const System& system, const SolverOptions& solver,
                                                    const ParallelOptions& parallel, const Checks& checks) {

@@ -22,7 +22,12 @@ class DividedSolver : public Solver {
   [[nodiscard]] virtual Division division() const noexcept = 0;
 };
 
-/// `system` must outlive it.
+/// Chooses the patches where nobody did: one for a system that is too small to gain from more. The reference solver
+/// works undivided.
+ParallelOptions divided(const System& system, const State& start, const SolverOptions& solver,
+                        const ParallelOptions& parallel);
+
+/// `parallel.patches` chosen. `system` must outlive it.
 std::unique_ptr<DividedSolver> make_patched_solver(const System& system, const SolverOptions& solver,
                                                    const ParallelOptions& parallel, const Checks& checks = {});
 

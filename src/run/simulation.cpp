@@ -21,13 +21,6 @@ void throw_if_invalid(const Setup& setup) {
   if (!problems.empty()) throw Error(problems);
 }
 
-/// Chooses the patches where nobody did. The reference solver works undivided.
-ParallelOptions divide(const System& system, const SolverOptions& solver, ParallelOptions parallel) {
-  if (solver.kind == SolverKind::reference || system.size() == 0) parallel.patches = {1, 1};
-  if (!parallel.patches) parallel.patches = {1, 1};
-  return parallel;
-}
-
 }  // namespace
 
 Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelOptions& parallel)
@@ -38,7 +31,7 @@ Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelO
   state_.clock.length = first_window_length(system_, state_);
   initial_ = {kinetic_energy(system_, state_.disks), momentum(system_, state_.disks),
               momentum_scale(system_, state_.disks)};
-  const ParallelOptions chosen = divide(system_, solver, parallel);
+  const ParallelOptions chosen = divided(system_, state_, solver, parallel);
   if ((*chosen.patches)[0] * (*chosen.patches)[1] > 1) {
     auto divided = make_patched_solver(system_, solver, chosen);
     divided_ = divided.get();

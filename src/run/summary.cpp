@@ -80,7 +80,14 @@ Summary summarize(const Simulation& simulation) {
   summary.wall_collisions = books.wall_collisions;
   summary.solver = simulation.solver().name();
   summary.simd = simulation.solver().simd();
+  const Division division = simulation.division();
+  summary.threads = division.threads;
+  summary.patches = division.patches;
   summary.windows = simulation.windows();
+  summary.windows_repaired = division.windows_repaired;
+  summary.patches_repaired = division.patches_repaired;
+  summary.duplicated_work = division.duplicated;
+  summary.phases = division.phases;
   summary.ties = books.ties;
   summary.collapses = books.collapses;
   summary.busiest_disk_events = *std::max_element(books.events_of.begin(), books.events_of.end());

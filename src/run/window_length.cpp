@@ -83,6 +83,12 @@ double first_window_length(const System& system, const State& state) noexcept {
   return floor_to_power_of_two(std::min(wanted, longest_flight(system.box, motion.fastest)));
 }
 
+double expected_contacts(const System& system, const State& state) noexcept {
+  const Motion motion = motion_of(state.disks);
+  if (!(motion.fastest > 0)) return 0;
+  return gas_collision_rate(system, state.disks, motion.root_mean_square) * state.clock.length;
+}
+
 double next_window_length(const System& system, const State& after, std::uint64_t events) noexcept {
   const Clock& clock = after.clock;
   const double half = clock.length / 2;

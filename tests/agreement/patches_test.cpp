@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "generated_scenes.hpp"
@@ -94,11 +96,15 @@ class OneWindow {
   State start_;
 };
 
-/// A periodic box of 400 × 200 with a lattice of disks at rest on its left, which nobody reaches.
+/// A periodic box of 2000 × 500, patches of which meet at its middle, with disks at rest all over it but there.
+constexpr Vec2 kMiddle{1000, 250};
+
 Scene quiet_plane(std::initializer_list<DiskSpec> actors) {
-  Scene scene = box_of({400, 200}, Boundary::periodic, Boundary::periodic, actors);
-  for (int column = 0; column < 60; ++column) {
-    for (int row = 0; row < 96; ++row) scene.disks.push_back(disk({20 + 2.0 * column, 2 + 2.0 * row}, {0, 0}));
+  Scene scene = box_of({2000, 500}, Boundary::periodic, Boundary::periodic, actors);
+  for (double x = 3; x < 2000; x += 6) {
+    for (double y = 3; y < 500; y += 6) {
+      if (std::max(std::abs(x - kMiddle.x), std::abs(y - kMiddle.y)) > 90) scene.disks.push_back(disk({x, y}, {}));
+    }
   }
   return scene;
 }
@@ -128,17 +134,19 @@ TEST(PatchChecks, NearCopiesHaveToAgreeWithTheirOwners) {
 
 TEST(PatchChecks, NobodyMayFlyInFromAfar) {
   // The bullet is in nobody's halo; it hits a disk at rest in the patch below on the left.
-  const OneWindow bullet(quiet_plane({disk({190, 25}, {0, 0}), disk({220, 125}, {-30, -100})}), 1.5);
-  expect_needed(bullet, quarters(3, 4), [](Checks& checks) { checks.excursions = false; });
+  const Vec2 flight{-30, -100};
+  const OneWindow bullet(quiet_plane({disk(kMiddle + Vec2{-10, -60}, {}), disk(kMiddle + Vec2{20, 40}, flight)}), 1.5);
+  expect_needed(bullet, quarters(14, 16), [](Checks& checks) { checks.excursions = false; });
 }
 
 TEST(PatchChecks, OwnedDisksMayNotMeetFarCopies) {
   // On its way to the disk at rest in the lower left patch a disk is hit by a heavy one that crosses its way from
   // above. That patch has no copy of the heavy one; its copy of the other goes on and meets the disk at rest.
-  const OneWindow crossing(
-      quiet_plane({disk({199, 25}, {0, 0}), disk({210.2, 25}, {-1.2, 0}), disk({208, 150}, {0, -122.5}, 0.5, 1e9)}),
-      10);
-  expect_needed(crossing, quarters(6, 10.5), [](Checks& checks) { checks.far_contacts = false; });
+  const DiskSpec rests = disk(kMiddle - Vec2{16, 16}, {});
+  const DiskSpec comes = disk(kMiddle + Vec2{21.5, 21.5}, {-1, -1});
+  const DiskSpec crosses = disk(kMiddle + Vec2{15, 46}, {0, -5.45}, 0.5, 1e9);
+  const OneWindow crossing(quiet_plane({rests, comes, crosses}), 39);
+  expect_needed(crossing, quarters(14, 22), [](Checks& checks) { checks.far_contacts = false; });
 }
 
 }  // namespace

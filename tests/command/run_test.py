@@ -134,11 +134,31 @@ class Options(RunTest):
                             (["--until", "1", "--every", "0", "--out", "o"], 1), (["--until", "1", "--every", "1"], 2),
                             (["--until", "1", "--trajectory", "xyz"], 2), (["--until", "1", "--overwrite"], 2),
                             (["--until", "1", "--until", "2"], 2), (["--until", "1", "--out", ""], 2),
-                            (["--until", "1", "--out", "o", "--trajectory", "xyz"], 2)):
+                            (["--until", "1", "--out", "o", "--trajectory", "xyz"], 2),
+                            (["--until", "1", "--threads", "0"], 1), (["--until", "1", "--threads", "two"], 2),
+                            (["--until", "1", "--threads", "1e9"], 1), (["--until", "1", "--patches", "0x2"], 1),
+                            (["--until", "1", "--patches", "3"], 2), (["--until", "1", "--patches", "2x2x2"], 2),
+                            (["--until", "1", "--patches", "2xb"], 2), (["--until", "1", "--patches", "9999x1"], 1)):
             with self.subTest(words=words):
                 done = self.refuse(["run", gas, *words], code, "--")
                 self.assertEqual(len(done.stderr.splitlines()), 1)
         self.assertFalse(self.path("o").exists())
+
+    def test_patches_and_threads_change_no_bit(self):
+        gas = self.gas("gas.toml", 3000, 0.7)
+        plain = self.json_of("run", gas, "--collisions", 60000)
+        self.assertEqual((plain["threads"], plain["patches"], plain["duplicated_work"]), (1, 1, 0))
+        for words in (["--patches", "3x2"], ["--threads", 2, "--patches", "2x2"], ["--threads", 2], ["--threads", 3]):
+            with self.subTest(words=words):
+                report = self.json_of("run", gas, "--collisions", 60000, *words)
+                for key in ("digest", "collisions", "pressure", "max_overlap", "energy_drift", "windows"):
+                    self.assertEqual(report[key], plain[key], key)
+                if "--patches" in words:
+                    self.assertEqual(report["patches"], 6 if "3x2" in words else 4)
+                    self.assertGreater(report["duplicated_work"], 0)
+                    self.assertGreater(report["phase_seconds"]["advance"], 0)
+        small = self.json_of("run", self.gas("small.toml", 50), "--collisions", 1000, "--threads", 2)
+        self.assertEqual((small["threads"], small["patches"]), (1, 1))
 
     def test_counts_may_be_written_with_an_exponent_and_are_never_octal(self):
         gas = self.gas()

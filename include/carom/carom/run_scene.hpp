@@ -19,11 +19,12 @@ namespace carom {
 struct RunPlan {
   RunSettings settings;  ///< with `until` or `collisions`
   SolverOptions solver;
+  ParallelOptions parallel;
   std::optional<OutputDirectory> directory;    ///< for scene.toml, final.xyz, report.json and the trajectory
   std::optional<std::string> collisions_file;  ///< a CSV file for the collision log
   std::string title;                           ///< of the scene
   std::string command;                         ///< as typed; goes into the report
-  /// Called some times per window with the share of the run that is done.
+  /// Called some times per window, once where windows are divided, with the share of the run that is done.
   std::function<void(double done, const Simulation& simulation)> progress;
   const std::atomic<bool>* interrupt = nullptr;  ///< stops the run when it becomes true
 };

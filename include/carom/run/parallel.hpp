@@ -17,12 +17,20 @@ struct ParallelOptions {
 
 /// What became of it.
 struct Division {
+  /// Where the time of divided windows went (seconds).
+  struct Phases {
+    double sort = 0;     ///< disks into bins
+    double advance = 0;  ///< patches, repaired ones too
+    double verify = 0;
+    double collect = 0;  ///< sums and rows of the log
+  };
   std::uint64_t threads = 1;
   std::uint64_t patches = 1;
   std::uint64_t windows_repaired = 0;  ///< windows in which a patch had to be advanced again
   std::uint64_t patches_repaired = 0;  ///< patches advanced again
   std::uint64_t patch_windows = 0;     ///< patches advanced in all
   double duplicated = 0;               ///< contacts computed beyond those that count, as a share of those
+  Phases phases;
 };
 
 }  // namespace carom

@@ -25,7 +25,10 @@ struct Summary {
   std::uint64_t threads = 1;
   std::uint64_t patches = 1;
   std::uint64_t windows = 0;
-  std::uint64_t windows_repaired = 0;
+  std::uint64_t windows_repaired = 0;  ///< in which a patch had to be advanced again with more around it
+  std::uint64_t patches_repaired = 0;
+  double duplicated_work = 0;  ///< contacts computed more than once, of those that count
+  Division::Phases phases;     ///< of divided windows
 
   std::uint64_t ties = 0;
   std::uint64_t collapses = 0;            ///< contacts made elastic by the TC rule

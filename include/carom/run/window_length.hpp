@@ -17,6 +17,10 @@ inline constexpr double kContactsPerWindow = 16;
 /// times; 1 where nothing moves.
 double first_window_length(const System& system, const State& state) noexcept;
 
+/// Contacts per disk to expect in the window that starts with this state, at the collision rate of a gas of this
+/// density and temperature; 0 where nothing moves.
+double expected_contacts(const System& system, const State& state) noexcept;
+
 /// Length of the window after one that held `events` contacts: half as long if it held more than twice what it
 /// should, twice as long if less than a third, within what flight across the box allows, and such that its start
 /// and end are exact. `after` is the state at its start, `after.clock` the finished window's with the new start.
