@@ -21,9 +21,6 @@ class Executor {
   virtual void for_each(std::size_t count, const std::function<void(std::size_t item, std::size_t worker)>& work) = 0;
 };
 
-/// Whether this build has executors of several threads.
-bool has_threads() noexcept;
-
 /// Throws Error if so many threads cannot be had.
 std::unique_ptr<Executor> make_executor(unsigned threads);
 
