@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace carom {
@@ -71,6 +72,18 @@ Rectangle Layout::owned(std::size_t patch) const noexcept {
   return {{edge(0, column), edge(1, row)}, {edge(0, column + 1), edge(1, row + 1)}};
 }
 
+Rectangle Layout::territory(std::size_t patch) const noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Rectangle all = owned(patch);
+  const std::array<std::size_t, 2> place{patch % count_[0], patch / count_[0]};
+  for (int axis = 0; axis < 2; ++axis) {
+    if (axis_[axis].periodic) continue;
+    if (place[axis] == 0) (axis == 0 ? all.low.x : all.low.y) = -kInfinity;
+    if (place[axis] + 1 == count_[axis]) (axis == 0 ? all.high.x : all.high.y) = kInfinity;
+  }
+  return all;
+}
+
 /// The bins that [low, high] takes up; those beyond a periodic axis's end count on.
 Layout::Bins Layout::bins_within(const Axis& axis, double low, double high) noexcept {
   const double first = std::floor((low - axis.low) / axis.bin);
@@ -138,7 +151,7 @@ double Layout::distance(std::size_t patch, Vec2 position) const noexcept {
 }
 
 bool Layout::touches(std::size_t patch, const Rectangle& path, double margin) const noexcept {
-  const Rectangle own = owned(patch);
+  const Rectangle own = territory(patch);
   for (int axis = 0; axis < 2; ++axis) {
     const Axis& a = axis_[axis];
     const double low = along(own.low, axis) - margin;

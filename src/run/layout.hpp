@@ -32,13 +32,15 @@ class Layout {
 
   [[nodiscard]] std::size_t patches() const noexcept { return std::size_t{count_[0]} * count_[1]; }
   [[nodiscard]] Rectangle owned(std::size_t patch) const noexcept;
+  /// The same, but outermost sides along axes that are not periodic lie at infinity: nobody else owns what is there.
+  [[nodiscard]] Rectangle territory(std::size_t patch) const noexcept;
   /// The disks within `halo` of a patch's rectangle; those within `near` of it are near.
   void load(std::size_t patch, double near, double halo, Loading& loading) const;
   /// All disks, all owned.
   void load_all(Loading& loading) const;
   /// How far a disk's start lies from a patch's rectangle along the axis where it lies farther; 0 inside (length).
   [[nodiscard]] double distance(std::size_t patch, Vec2 position) const noexcept;
-  /// Whether a path, not folded into the box, touches a patch's rectangle widened by `margin`.
+  /// Whether a path, not folded into the box, touches a patch's territory widened by `margin`.
   [[nodiscard]] bool touches(std::size_t patch, const Rectangle& path, double margin) const noexcept;
 
  private:

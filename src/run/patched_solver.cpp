@@ -303,7 +303,7 @@ class PatchedSolver final : public DividedSolver {
   [[nodiscard]] bool excursions_stay_clear(std::size_t patch) const {
     const Attempt& attempt = attempts_[patch];
     const double clear = clear_of(attempt);
-    const Rectangle own = layout_.owned(patch);
+    const Rectangle own = layout_.territory(patch);
     for (const Excursion& excursion : reports_[patch].excursions) {
       if (excursion.path.low.x < own.low.x - clear || excursion.path.low.y < own.low.y - clear ||
           excursion.path.high.x > own.high.x + clear || excursion.path.high.y > own.high.y + clear) {

@@ -24,7 +24,7 @@ void throw_if_invalid(const Setup& setup) {
 }  // namespace
 
 Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelOptions& parallel)
-    : books_(setup.system.size()), books_at_start_(books_), interrupt_(&kNeverInterrupted) {
+    : books_(setup.system.size(), setup.system.box.has_walls()), books_at_start_(books_), interrupt_(&kNeverInterrupted) {
   throw_if_invalid(setup);
   state_ = initial_state(setup);
   system_ = std::move(setup.system);
@@ -114,17 +114,20 @@ Simulation::Stop Simulation::advance_to(double offset) {
 }
 
 void Simulation::close_window() {
-  solver_->close(next_);
-  next_.clock = {state_.clock.window + 1, state_.clock.start + state_.clock.length, state_.clock.length};
-  next_.disks.time = next_.clock.start;
-  next_.clock.length = next_window_length(system_, next_, books_.events() - books_at_start_.events());
+  const Clock clock = state_.clock;
+  const double kT_before = system_.physics.elastic() ? 0 : temperature(system_, state_.disks);
+  // Nobody but observers looks back at the window's start: without them its place is taken by the end.
+  State& end = watching_ > 0 ? next_ : state_;
+  solver_->close(end);
+  end.clock = {clock.window + 1, clock.start + clock.length, clock.length};
+  end.disks.time = end.clock.start;
+  end.clock.length = next_window_length(system_, end, books_.events() - books_at_start_.events());
 
   if (measured_.started && !system_.physics.elastic()) {
-    const double kT = 0.5 * (temperature(system_, state_.disks) + temperature(system_, next_.disks));
-    measured_.kT_integral += kT * state_.clock.length;
+    measured_.kT_integral += 0.5 * (kT_before + temperature(system_, end.disks)) * clock.length;
   }
   std::sort(log_.begin(), log_.end(), stands_before);
-  std::swap(state_, next_);
+  if (watching_ > 0) std::swap(state_, next_);
   offset_ = 0;
   open_ = false;
   const State& before = next_;

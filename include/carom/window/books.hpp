@@ -19,9 +19,10 @@ struct Books {
   // Arrays of N.
   std::vector<std::uint64_t> events_of;  ///< contacts of each disk, with disks and walls
   std::vector<double> virial_of;         ///< Σ ½ |J| σ over each disk's contacts with disks (energy)
-  std::vector<double> wall_impulse_of;   ///< Σ |J| over each disk's contacts with walls
+  std::vector<double> wall_impulse_of;   ///< Σ |J| over each disk's contacts with walls; empty where there are none
 
-  explicit Books(std::size_t disks) : events_of(disks), virial_of(disks), wall_impulse_of(disks) {}
+  explicit Books(std::size_t disks, bool walls = true)
+      : events_of(disks), virial_of(disks), wall_impulse_of(walls ? disks : 0) {}
 
   [[nodiscard]] std::uint64_t events() const noexcept { return collisions + wall_collisions; }
 };

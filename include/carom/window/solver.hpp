@@ -43,7 +43,8 @@ class Solver {
   /// that changes nothing. Sets all of `frame` but its time.
   virtual void read(double time, Frame& frame) const = 0;
 
-  /// The state at the window's end, after advance_to(Δ). Sets disks and last contacts, not the clock.
+  /// The state at the window's end, after advance_to(Δ). Sets disks and last contacts, not the clock. `next` may be the
+  /// state that open() was given.
   virtual void close(State& next) = 0;
 };
 

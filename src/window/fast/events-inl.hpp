@@ -195,8 +195,9 @@ class Events {
     const bool tied = (a.t == time) | (b.t == time);
     flight_i.position = predict::position_at(flight_i, time);
     flight_j.position = predict::position_at(flight_j, time);
-    if (tied | is_outside(flight_i.position) | is_outside(flight_j.position) | (look_i != Look::plain) |
-        (look_j != Look::plain)) {
+    const int outside =
+        static_cast<int>(is_outside(flight_i.position)) | static_cast<int>(is_outside(flight_j.position));
+    if (tied || outside != 0 || look_i != Look::plain || look_j != Look::plain) {
       return false;
     }
     const auto others_i = Kernel::template flights_of<kOneKind>(records_, near_i.disks);

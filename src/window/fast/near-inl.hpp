@@ -13,9 +13,9 @@ namespace carom::fast::CAROM_TARGET {
 /// Disks near a disk, followed by the disk itself as often as a vector has lanes.
 struct Candidates {
   static constexpr int kRoom = 64;
+  alignas(64) std::array<Index, kRoom> room;  // also for what vector stores write beyond the last
   const Index* disks = room.data();
   int size = 0;
-  alignas(64) std::array<Index, kRoom> room;  // and for what vector stores write beyond the last
 };
 
 /// How gathered candidates have to be looked at.
@@ -229,13 +229,15 @@ class NearFromCells {
     const std::int32_t upwards = exit >> 1;
     const std::int32_t column = place.column + step * (1 - upwards);
     const std::int32_t row = place.row + step * upwards;
-    const bool border = cells_.is_outermost(place.column, place.row) | cells_.is_outermost(column, row);
+    const int border = static_cast<int>(cells_.is_outermost(place.column, place.row)) |
+                       static_cast<int>(cells_.is_outermost(column, row));
     Index* const from = cells_.slots(place);
     Index* const to = from + ahead_[place.exit];
     const unsigned here = Kernel::slots_with(from, k);
     const unsigned empty_there = Kernel::slots_with(to, Slot::kEmpty);
     const bool crowded = Kernel::slots_with(from, Slot::kEmpty) == 0;
-    if ((here == 0) | (empty_there == 0) | crowded | border) return false;
+    const int unusual = static_cast<int>(here == 0) | static_cast<int>(empty_there == 0) | static_cast<int>(crowded);
+    if ((unusual | border) != 0) return false;
     from[std::countr_zero(here)] = Slot::kEmpty;
     to[std::countr_zero(empty_there)] = k;
     place.column = column;

@@ -267,7 +267,8 @@ void Workspace::start_calendar() {
     width = kEventsPerBucket / rate;
   }
   width = std::max(width, length / (32 * count + 1024));
-  calendar.start(length, width, static_cast<std::size_t>(0.5 * count) + 64);
+  // Far more buckets than events would fill only take room.
+  calendar.start(length, width, static_cast<std::size_t>((count < 1e5 ? 0.5 : 0.25) * count) + 64);
 }
 
 Contact Workspace::earliest_contact(Index k) const {
