@@ -24,7 +24,9 @@ void throw_if_invalid(const Setup& setup) {
 }  // namespace
 
 Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelOptions& parallel)
-    : books_(setup.system.size(), setup.system.box.has_walls()), books_at_start_(books_), interrupt_(&kNeverInterrupted) {
+    : books_(setup.system.size(), setup.system.box.has_walls()),
+      books_at_start_(books_),
+      interrupt_(&kNeverInterrupted) {
   throw_if_invalid(setup);
   state_ = initial_state(setup);
   system_ = std::move(setup.system);
