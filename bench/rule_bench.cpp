@@ -2,7 +2,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -13,6 +12,7 @@
 #include "carom/base/random.hpp"
 #include "carom/base/simd.hpp"
 #include "carom/rule/batch.hpp"
+#include "stopwatch.hpp"
 
 namespace carom::bench {
 namespace {
@@ -58,14 +58,6 @@ struct Pairs {
     for (std::vector<double>* array : arrays) array->push_back(*value++);
   }
 };
-
-template <typename Work>
-double seconds_of(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  benchmark::ClobberMemory();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

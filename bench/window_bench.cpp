@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +17,7 @@
 #include "carom/base/random.hpp"
 #include "carom/base/simd.hpp"
 #include "carom/state/scene.hpp"
+#include "stopwatch.hpp"
 #include "window/fast/calendar.hpp"
 #include "window/fast/cells.hpp"
 #include "window/fast/lists.hpp"
@@ -27,14 +27,6 @@ namespace carom::bench {
 namespace {
 
 using namespace carom::fast;
-
-template <typename Work>
-double seconds_of(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  benchmark::ClobberMemory();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Times of two ways to do the same, taken in turns.
 class Beside {

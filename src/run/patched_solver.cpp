@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "carom/base/simd.hpp"
 #include "carom/run/window_length.hpp"
 #include "carom/window/patch.hpp"
 #include "layout.hpp"
@@ -56,7 +57,7 @@ class Stopwatch {
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
   ~Stopwatch() { stop(); }
-  void stop() const {
+  void stop() {
     if (seconds_ == nullptr) return;
     *seconds_ += std::chrono::duration<double>(Clock::now() - start_).count();
     seconds_ = nullptr;
@@ -64,7 +65,7 @@ class Stopwatch {
 
  private:
   using Clock = std::chrono::steady_clock;
-  mutable double* seconds_;
+  double* seconds_;
   Clock::time_point start_ = Clock::now();
 };
 
@@ -76,6 +77,7 @@ class PatchedSolver final : public DividedSolver {
         options_(solver),
         parallel_(parallel),
         checks_(checks),
+        simd_(usable_simd(solver.simd)),
         executor_(make_executor(parallel.threads)),
         layout_(system, (*parallel.patches)[0], (*parallel.patches)[1]),
         reach_(2 * system.largest_radius()),
@@ -83,7 +85,6 @@ class PatchedSolver final : public DividedSolver {
     for (std::size_t worker = 0; worker < executor_->workers(); ++worker) {
       solvers_.push_back(make_patch_solver(system, solver));
     }
-    name_of_simd_ = make_fast_solver(system, solver)->simd();
     reports_.resize(layout_.patches());
     attempts_.resize(layout_.patches());
     division_.threads = executor_->workers();
@@ -91,7 +92,7 @@ class PatchedSolver final : public DividedSolver {
   }
 
   [[nodiscard]] std::string_view name() const noexcept override { return "fast"; }
-  [[nodiscard]] std::string_view simd() const noexcept override { return name_of_simd_; }
+  [[nodiscard]] std::string_view simd() const noexcept override { return name_of(simd_); }
   [[nodiscard]] Division division() const noexcept override {
     Division division = division_;
     if (counted_ > 0) division.duplicated = static_cast<double>(computed_) / static_cast<double>(counted_) - 1;
@@ -165,7 +166,7 @@ class PatchedSolver final : public DividedSolver {
   }
 
   bool advance_patches(double until, const std::atomic<bool>& interrupt) {
-    const Stopwatch sorting(division_.phases.sort);
+    Stopwatch sorting(division_.phases.sort);
     if (!sorted_) layout_.sort(start_->disks);
     sorted_ = true;
     make_room();
@@ -359,6 +360,7 @@ class PatchedSolver final : public DividedSolver {
   SolverOptions options_;
   ParallelOptions parallel_;
   Checks checks_;
+  Simd simd_;
   std::unique_ptr<Executor> executor_;
   Layout layout_;
   double reach_;  // the largest contact distance
@@ -369,7 +371,6 @@ class PatchedSolver final : public DividedSolver {
   int without_repair_ = 0;
   std::vector<std::unique_ptr<PatchSolver>> solvers_;  // one per worker
   std::vector<Loading> loadings_;                      // one per worker
-  std::string_view name_of_simd_;
 
   // The window that is open.
   const State* start_ = nullptr;

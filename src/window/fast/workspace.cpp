@@ -78,24 +78,6 @@ void Workspace::load_sums(const Books& from) {
   for (std::size_t k = 0; k < records.size(); ++k) wall_impulse[k] = from.wall_impulse_of[ids[k]];
 }
 
-void Workspace::open_patch(const State& start, const Books& from, const PatchTask& task, Books& to,
-                           std::vector<Collision>* rows) {
-  begin_window(start, to, rows);
-  patched = true;
-  part_ = Extent{task.loaded.low, task.loaded.high, task.cut};
-  clear_ = task.clear;
-  roles.assign(task.roles.begin(), task.roles.end());
-  histories.assign(task.disks.size(), 0);
-  contacts = 0;
-  met_far = false;
-  paths_.clear();
-  load(start, task.disks);
-  starts_.resize(records.size());
-  for (std::size_t k = 0; k < records.size(); ++k) starts_[k] = {records[k].x, records[k].y};
-  load_sums(from);
-  if (!records.empty()) find_neighbours();
-}
-
 bool Workspace::continues(const State& start) const noexcept {
   if (start.disks.size() != records.size()) return false;
   for (std::size_t k = 0; k < records.size(); ++k) {
@@ -142,116 +124,6 @@ void Workspace::load(const State& start, std::span<const DiskId> order) {
   rate_ = 0;
   renewals_ = 0;
   renewals_allowed_ = 16 * order.size() + 256;
-}
-
-Extent Workspace::extent(double time) const noexcept {
-  Vec2 low{predict::kNever, predict::kNever};
-  Vec2 high{-predict::kNever, -predict::kNever};
-  for (const Record& own : records) {
-    const Vec2 place = predict::position_at(own.flight(), time);
-    low = {std::min(low.x, place.x), std::min(low.y, place.y)};
-    high = {std::max(high.x, place.x), std::max(high.y, place.y)};
-  }
-  return {low, high};
-}
-
-/// A length that no rounding of a position reaches in this window, however the disks may share their energy.
-double Workspace::rounding_slack(const Extent& extent) const noexcept {
-  double energy = 0;
-  double least_mass = predict::kNever;
-  for (std::size_t k = 0; k < records.size(); ++k) {
-    const double m = mass(static_cast<Index>(k));
-    energy += 0.5 * m * (records[k].vx * records[k].vx + records[k].vy * records[k].vy);
-    least_mass = std::min(least_mass, m);
-  }
-  const double fastest = std::sqrt(2 * energy / least_mass);
-  const double farthest = std::max({std::abs(extent.low.x), std::abs(extent.low.y), std::abs(extent.high.x),
-                                    std::abs(extent.high.y), system.box.size.x, system.box.size.y});
-  return 0x1p-44 * (farthest + fastest * length + records[0].radius);
-}
-
-/// How far lists should reach beyond contact: so far that they hold some kDisks disks where the disks are.
-double Workspace::default_shell(const Extent& extent) const noexcept {
-  constexpr double kDisks = 7.5;
-  double diameters = 0;
-  for (const Record& own : records) diameters += 2 * own.radius;
-  const auto count = static_cast<double>(records.size());
-  const double diameter = diameters / count;
-  Extent occupied = extent;
-  occupied.high = occupied.high + Vec2{diameter, diameter};
-  const Vec2 size = size_of(occupied);
-  const double reach = std::sqrt(kDisks * size.x * size.y / (count * kPi));
-  return std::clamp(reach - diameter, 0.1 * diameter, 8 * diameter);
-}
-
-/// Of the box; along axes that are open or cut, of the part that the disks are in.
-Vec2 Workspace::size_of(const Extent& range) const noexcept {
-  const auto whole = [&](int axis) { return system.box.boundary[axis] != Boundary::open && !range.cut[axis]; };
-  return {whole(0) ? system.box.size.x : range.high.x - range.low.x,
-          whole(1) ? system.box.size.y : range.high.y - range.low.y};
-}
-
-void Workspace::find_neighbours() {
-  const Extent range = part_ ? *part_ : extent(0);
-  slack_ = 4 * rounding_slack(range);  // with some room for the windows to come
-  if (chooses_cells(range)) {
-    const double width = options_.cell_size > 0 ? options_.cell_size : default_cell_size(range);
-    cells = std::make_unique<Cells>(system, range, width, 2 * slack_, records, ids);
-  } else {
-    build_lists(range);
-  }
-}
-
-/// Lists where the disks are dense or of very different sizes, and where the box is not made for cells.
-bool Workspace::chooses_cells(const Extent& range) const {
-  constexpr double kDensest = 0.65;         // packing fraction from which on lists were measured to be faster
-  constexpr double kWidestSizeRatio = 2.5;  // a cell is as wide as the largest disk
-  if (!Cells::fit(system, range, 2 * slack_)) return false;
-  if (options_.neighbourhood) return *options_.neighbourhood == Neighbourhood::cells;
-  double smallest = predict::kNever;
-  double largest = 0;
-  for (const Record& own : records) {
-    smallest = std::min(smallest, own.radius);
-    largest = std::max(largest, own.radius);
-  }
-  return largest <= kWidestSizeRatio * smallest && packing_fraction_ < kDensest;
-}
-
-/// So wide that a cell holds about kDisks disks.
-double Workspace::default_cell_size(const Extent& range) const noexcept {
-  constexpr double kDisks = 0.8;
-  const Vec2 size = size_of(range);
-  return std::sqrt(kDisks * size.x / static_cast<double>(records.size()) * size.y);
-}
-
-void Workspace::build_lists(const Extent& range) {
-  constexpr double kTooMany = 20;
-  const double least = 4 * slack_;
-  double shell = std::max(options_.shell > 0 ? options_.shell : default_shell(range), least);
-  lists = std::make_unique<Lists>(system, range, shell, slack_, records, ids, 0);
-  // Where the disks crowd in a part of the plane, the mean density said too little.
-  while (options_.shell == 0 && shell / 2 >= least && shell > 0.2 * records[0].radius &&
-         lists->mean_length() > kTooMany) {
-    shell /= 2;
-    lists = std::make_unique<Lists>(system, range, shell, slack_, records, ids, 0);
-  }
-}
-
-/// Lists that reach farther than half a periodic box would hold many copies of each disk.
-double Workspace::widest_shell() const noexcept {
-  double widest = predict::kNever;
-  if (system.box.periodic(0)) widest = std::min(widest, system.box.size.x / 2);
-  if (system.box.periodic(1)) widest = std::min(widest, system.box.size.y / 2);
-  return widest;
-}
-
-void Workspace::widen_lists(double time) {
-  renewals_now_ = 0;
-  const double shell = 2 * lists->shell();
-  if (shell > widest_shell()) return;
-  lists = std::make_unique<Lists>(system, part_ ? *part_ : extent(time), shell, slack_, records, ids, time);
-  predicted = false;
-  first_unpredicted = 0;
 }
 
 void Workspace::start_calendar() {
@@ -448,69 +320,24 @@ void Workspace::note_least_distance() noexcept {
   note_overlap((sigma - std::sqrt(least_distance_squared)) / sigma);
 }
 
-/// How far the disk's stored position has come since the window's start, folds undone.
-Vec2 Workspace::unfolded(Index k, Vec2 place) const {
-  const auto found = turns_.find(k);
-  if (found == turns_.end()) return place;
-  return {place.x + static_cast<double>(found->second.first) * system.box.size.x,
-          place.y + static_cast<double>(found->second.second) * system.box.size.y};
-}
-
-void Workspace::note_excursion(Index k, double time) {
-  const Vec2 place = unfolded(k, predict::position_at(records[k].flight(), time));
-  const Vec2 start = starts_[k];
-  const Vec2 roam = roaming();
-  if (std::abs(place.x - start.x) + roam.x <= clear_ && std::abs(place.y - start.y) + roam.y <= clear_) return;
-  const Vec2 clear{std::max(clear_, roam.x), std::max(clear_, roam.y)};
-  Rectangle& path = paths_.try_emplace(k, Rectangle{start - clear, start + clear}).first->second;
-  path.low = {std::min(path.low.x, place.x - roam.x), std::min(path.low.y, place.y - roam.y)};
-  path.high = {std::max(path.high.x, place.x + roam.x), std::max(path.high.y, place.y + roam.y)};
-}
-
-/// How far a disk can go along either axis before its next grid event.
-Vec2 Workspace::roaming() const noexcept { return cells ? cells->width() : Vec2{lists->leash(), lists->leash()}; }
-
-void Workspace::store_patch(double time, const PatchOutput& output, PatchReport& report) {
-  const Vec2 roam = roaming();
-  const bool always_far = std::max(roam.x, roam.y) > clear_;
+void Workspace::carry_all(double time) {
+  std::vector<std::pair<Index, Image>> folded;
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
     Record& own = records[k];
-    const DiskId id = ids[k];
     const Vec2 place = predict::position_at(own.flight(), time);
     own.x = place.x;
     own.y = place.y;
     own.t = time;
-    fold(k);
-    if (roles[k] == Role::far) continue;
-    if (roles[k] == Role::near) {
-      report.near.push_back({id, own.events, histories[k], {own.x, own.y}, {own.vx, own.vy}});
-      continue;
-    }
-    Frame& disks = *output.disks;
-    disks.x[id] = own.x;
-    disks.y[id] = own.y;
-    disks.vx[id] = own.vx;
-    disks.vy[id] = own.vy;
-    disks.winding_x[id] = start_->disks.winding_x[id];
-    disks.winding_y[id] = start_->disks.winding_y[id];
-    if (const auto turns = turns_.find(k); turns != turns_.end()) {
-      disks.winding_x[id] += turns->second.first;
-      disks.winding_y[id] += turns->second.second;
-    }
-    (*output.events)[id] = own.events;
-    (*output.history)[id] = histories[k];
-    (*output.virial)[id] = virial[k];
-    if (!wall_impulse.empty()) (*output.wall_impulse)[id] = wall_impulse[k];
-    if (!last_contact.empty()) (*output.last_contact)[id] = last_contact[k] - time;
-    if (always_far) note_excursion(k, time);
+    const Image turns = fold(k);
+    if (turns != Image{}) folded.emplace_back(k, turns);
   }
-  for (const auto& [k, path] : paths_) {
-    if (roles[k] == Role::owned) report.excursions.push_back({ids[k], path});
+  for (const auto& [k, turns] : folded) {
+    if (cells) {
+      cells->fold(k, turns);
+    } else {
+      renew_list(k, time);
+    }
   }
-  report.books.collisions += collisions;
-  report.contacts += contacts;
-  report.met_far = met_far;
-  note_least_distance();
 }
 
 void Workspace::close(State& next) {
@@ -519,23 +346,10 @@ void Workspace::close(State& next) {
     next.last_contact.clear();
     return;
   }
-  std::vector<std::pair<Index, Image>> folded;
-  for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
-    Record& own = records[k];
-    const Vec2 place = predict::position_at(own.flight(), length);
-    own.x = place.x;
-    own.y = place.y;
+  carry_all(length);
+  for (Record& own : records) {
     own.t = 0;
     own.events = 0;
-    const Image turns = fold(k);
-    if (turns != Image{}) folded.emplace_back(k, turns);
-  }
-  for (const auto& [k, turns] : folded) {
-    if (cells) {
-      cells->fold(k, turns);
-    } else {
-      renew_list(k, 0);
-    }
   }
   for (double& time : last_contact) time -= length;
 

@@ -137,6 +137,9 @@ class Workspace {
  private:
   using Turns = std::pair<std::int64_t, std::int64_t>;
 
+  /// All disks to `time`, folded into the box; cells and lists know of it.
+  void carry_all(double time);
+  void store_owned(Index k, double time, const PatchOutput& output) const;
   void begin_window(const State& start, Books& to, std::vector<Collision>* rows);
   void load_sums(const Books& from);
   void note_least_distance() noexcept;
