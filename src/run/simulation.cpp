@@ -94,7 +94,9 @@ void Simulation::open_window() {
   books_at_start_ = books_;
   watching_ = observers_.size();
   log_.clear();
-  solver_->open(state_, books_, watching_ > 0 ? &log_ : nullptr);
+  const bool logs = std::any_of(observers_.begin(), observers_.end(),
+                                [](const Observer* observer) { return observer->wants_collisions(); });
+  solver_->open(state_, books_, logs ? &log_ : nullptr);
   open_ = true;
 }
 
@@ -133,7 +135,8 @@ void Simulation::close_window() {
   offset_ = 0;
   open_ = false;
   const State& before = next_;
-  for (std::size_t k = 0; k < watching_; ++k) observers_[k]->on_window({system_, before, state_, log_});
+  const WindowRecord window{system_, before, state_, log_, books_at_start_, books_, measured_.started};
+  for (std::size_t k = 0; k < watching_; ++k) observers_[k]->on_window(window);
 }
 
 }  // namespace carom

@@ -2,12 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
+
+#include "carom/base/error.hpp"
 
 namespace carom {
 
 /// Which file format a trajectory is written in.
 enum class TrajectoryFormat { none, xyz };
+
+/// One [[observe]] section, or one name of --observe: an observable and what it is told.
+struct ObserveSpec {
+  std::string name;
+  std::map<std::string, double> options = {};  ///< by key; which ones there are is the observable's to say
+  std::map<std::string, Place> places = {};    ///< where the options were read, by key
+  Place place = {};
+};
 
 /// The [run] section of a scene; the command line's options of the same names take its place.
 struct RunSettings {
@@ -16,6 +29,7 @@ struct RunSettings {
   double equilibrate = 0;                        ///< pressure is measured from the first window after this time
   std::optional<double> every = {};              ///< time between frames of the trajectory
   TrajectoryFormat trajectory = TrajectoryFormat::none;
+  std::vector<ObserveSpec> observe = {};
 };
 
 }  // namespace carom

@@ -24,7 +24,11 @@ struct WindowRecord {
   const System& system;
   const State& before;                    ///< at its start
   const State& after;                     ///< at its end
-  std::span<const Collision> collisions;  ///< in log order; times since before.clock.start
+  std::span<const Collision> collisions;  ///< in log order; times since before.clock.start; empty if no observer
+                                          ///< of this window wants them
+  const Books& books_before;              ///< what was counted and summed up to its start …
+  const Books& books;                     ///< … and up to its end
+  bool measured;                          ///< it starts at or after the time measuring begins: see measure_from()
 };
 
 /// No run goes beyond this time: flights would leave the range of doubles.
@@ -35,6 +39,8 @@ inline constexpr double kLatestTime = 1e75;
 class Observer {
  public:
   virtual ~Observer() = default;
+  /// Whether windows are to come with their collisions, which costs time and memory.
+  [[nodiscard]] virtual bool wants_collisions() const noexcept { return true; }
   /// After every finished window, in order. A window left in the middle is not reported until it is finished.
   virtual void on_window(const WindowRecord& window) = 0;
 };
@@ -76,7 +82,7 @@ class Simulation {
   [[nodiscard]] Frame frame() const;
   /// Everything counted from time 0 to time(); sums of impulses from the start of measuring.
   [[nodiscard]] const Books& books() const noexcept { return books_; }
-  /// Events of the window in flight up to time(), in log order; empty unless there are observers.
+  /// Events of the window in flight up to time(), in log order; empty unless an observer wants collisions.
   [[nodiscard]] std::vector<Collision> collisions_in_flight() const;
   /// Windows begun so far; one that ends just now counts, one that starts just now does not.
   [[nodiscard]] std::uint64_t windows() const noexcept { return state_.clock.window + (offset_ > 0 ? 1 : 0); }
