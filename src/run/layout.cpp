@@ -109,14 +109,14 @@ void Layout::load(std::size_t patch, double near, double halo, Loading& loading)
                     {edge(axis_[0], columns.first + columns.count), edge(axis_[1], rows.first + rows.count)}};
   loading.disks.clear();
   loading.roles.clear();
+  loading.shares.clear();
   const auto folded = [](std::int64_t bin, const Axis& axis) { return (bin % axis.bins + axis.bins) % axis.bins; };
   for (std::int64_t b = rows.first; b < rows.first + rows.count; ++b) {
     const std::int64_t row = folded(b, axis_[1]) * axis_[0].bins;
     for (std::int64_t a = columns.first; a < columns.first + columns.count; ++a) {
       const auto bin = static_cast<std::size_t>(row + folded(a, axis_[0]));
       for (std::uint32_t place = start_[bin]; place < start_[bin + 1]; ++place) {
-        loading.disks.push_back(order_[place]);
-        loading.roles.push_back(role(patch, order_[place], near));
+        add(patch, order_[place], near, halo, loading);
       }
     }
   }
@@ -128,13 +128,19 @@ void Layout::load_all(Loading& loading) const {
   loading.loaded = {{axis_[0].low, axis_[1].low}, {axis_[0].low + axis_[0].size, axis_[1].low + axis_[1].size}};
   loading.disks = order_;
   loading.roles.assign(order_.size(), Role::owned);
+  loading.shares.assign(order_.size(), 1);
 }
 
-Role Layout::role(std::size_t patch, DiskId id, double near) const noexcept {
+void Layout::add(std::size_t patch, DiskId id, double near, double halo, Loading& loading) const {
   const Vec2 position = disks_->position(id);
   const bool owned = owner_along(0, position.x) == patch % count_[0] && owner_along(1, position.y) == patch / count_[0];
-  if (owned) return Role::owned;
-  return distance(patch, position) <= near ? Role::near : Role::far;
+  const double away = owned ? 0 : distance(patch, position);
+  loading.disks.push_back(id);
+  loading.roles.push_back(owned ? Role::owned : away <= near ? Role::near : Role::far);
+  // What is left alone stays behind what comes in from beyond the halo by the width of the near strip.
+  const bool all_the_time = loading.whole || away <= 2 * near;
+  loading.shares.push_back(
+      all_the_time ? 1 : static_cast<float>(std::clamp((halo + near - away) / (halo - near), 0.0, 1.0)));
 }
 
 double Layout::distance(std::size_t patch, Vec2 position) const noexcept {

@@ -18,6 +18,7 @@ struct Loading {
   bool whole = false;  ///< all disks of the system, as the true plane: nothing about it need be checked
   std::vector<DiskId> disks;
   std::vector<Role> roles;
+  std::vector<float> shares;  ///< of the window's time: see PatchTask
 };
 
 /// The plane at a window's start, cut into columns × rows of equal rectangles; disks stand in bins, so that those of a
@@ -34,7 +35,8 @@ class Layout {
   [[nodiscard]] Rectangle owned(std::size_t patch) const noexcept;
   /// The same, but outermost sides along axes that are not periodic lie at infinity: nobody else owns what is there.
   [[nodiscard]] Rectangle territory(std::size_t patch) const noexcept;
-  /// The disks within `halo` of a patch's rectangle; those within `near` of it are near.
+  /// The disks within `halo` of a patch's rectangle; those within `near` of it are near. What happens beyond the halo
+  /// works its way in as the window goes by, and copies that it reaches need not be advanced any more.
   void load(std::size_t patch, double near, double halo, Loading& loading) const;
   /// All disks, all owned.
   void load_all(Loading& loading) const;
@@ -59,7 +61,7 @@ class Layout {
   [[nodiscard]] std::uint32_t owner_along(int axis, double x) const noexcept;
   [[nodiscard]] static std::int64_t bin_along(const Axis& axis, double x) noexcept;
   [[nodiscard]] static Bins bins_within(const Axis& axis, double low, double high) noexcept;
-  [[nodiscard]] Role role(std::size_t patch, DiskId id, double near) const noexcept;
+  void add(std::size_t patch, DiskId id, double near, double halo, Loading& loading) const;
 
   const System& system_;
   std::array<std::uint32_t, 2> count_;

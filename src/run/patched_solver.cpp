@@ -218,7 +218,8 @@ class PatchedSolver final : public DividedSolver {
 
   bool run(std::size_t worker, const Loading& loading, double until, PatchReport& report,
            const std::atomic<bool>& interrupt) {
-    const PatchTask task{loading.loaded, loading.cut, loading.disks, loading.roles, clear_of({near_, halo_, false})};
+    const PatchTask task{loading.loaded, loading.cut,    loading.disks,
+                         loading.roles,  loading.shares, clear_of({near_, halo_, false})};
     const PatchOutput output{&end_, &last_contact_, &events_, &history_, &virial_, &wall_impulse_};
     return solvers_[worker]->run(*start_, books_at_start(), task, until, log_ != nullptr, output, report, interrupt);
   }
@@ -399,16 +400,46 @@ class PatchedSolver final : public DividedSolver {
   std::uint64_t counted_ = 0;
 };
 
-/// The time that columns × rows patches take on so many threads, of that of an undivided window on one.
-double cost(Vec2 size, double halo, std::uint32_t columns, std::uint32_t rows, unsigned threads) noexcept {
-  const auto loaded = [halo](double length, std::uint32_t parts) {
-    return parts == 1 ? length : std::min(length, length / parts + 2 * halo);
-  };
-  constexpr double kPerWindow = 0.15;  // what loading adds
-  const double patch = loaded(size.x, columns) * loaded(size.y, rows) / (size.x * size.y) * (1 + kPerWindow);
-  const double rounds = std::ceil(static_cast<double>(columns) * rows / threads);
-  return patch * rounds;
-}
+/// What the choice of patches goes by: the time that a window takes, in units of what its contacts take where all that
+/// they need is in the fastest cache.
+class Costs {
+ public:
+  Costs(Vec2 size, const Copies& copies, std::size_t disks) noexcept
+      : size_(size), copies_(copies), disks_(static_cast<double>(disks)) {}
+
+  [[nodiscard]] double undivided() const noexcept { return slowdown(disks_); }
+
+  /// Of columns × rows patches on so many threads.
+  [[nodiscard]] double divided(std::uint32_t columns, std::uint32_t rows, unsigned threads) const noexcept {
+    constexpr double kLoading = 0.27;  // of a disk into a patch
+    const double loaded = share(columns, rows, copies_.halo);
+    // Copies are left alone from the outside to the inside; by Simpson's rule.
+    const double middle = std::min(copies_.halo, 0.5 * copies_.halo + 1.5 * copies_.near);
+    const double end = std::min(copies_.halo, 2 * copies_.near);
+    const double advanced = (loaded + 4 * share(columns, rows, middle) + share(columns, rows, end)) / 6;
+    const double patch = advanced * slowdown(loaded * disks_) + kLoading * loaded;
+    return patch * std::ceil(static_cast<double>(columns) * rows / threads);
+  }
+
+ private:
+  /// Of all disks, those within `width` of a patch.
+  [[nodiscard]] double share(std::uint32_t columns, std::uint32_t rows, double width) const noexcept {
+    const auto along = [width](double length, std::uint32_t parts) {
+      return parts == 1 ? length : std::min(length, length / parts + 2 * width);
+    };
+    return along(size_.x, columns) * along(size_.y, rows) / (size_.x * size_.y);
+  }
+
+  /// Of contacts, where disks do not fit into the fastest cache.
+  [[nodiscard]] static double slowdown(double disks) noexcept {
+    constexpr double kFit = 20'000;
+    return 1 + std::log2(1 + disks / kFit);
+  }
+
+  Vec2 size_;
+  Copies copies_;
+  double disks_;
+};
 
 }  // namespace
 
@@ -418,18 +449,17 @@ ParallelOptions divided(const System& system, const State& start, const SolverOp
   if (solver.kind == SolverKind::reference || system.size() == 0) chosen.patches = {1, 1};
   if (chosen.patches) return chosen;
   chosen.patches = {1, 1};
-  if (parallel.threads <= 1) return chosen;
-  const Copies copies = copies_for(system, start, 0, kDepth);
   const auto [low_x, high_x] = std::minmax_element(start.disks.x.begin(), start.disks.x.end());
   const auto [low_y, high_y] = std::minmax_element(start.disks.y.begin(), start.disks.y.end());
   const double reach = 2 * system.largest_radius();
   const Vec2 size{std::max(*high_x - *low_x, reach), std::max(*high_y - *low_y, reach)};
+  const Costs costs(size, copies_for(system, start, 0, kDepth), system.size());
   constexpr double kWorthIt = 0.9;
-  constexpr std::uint32_t kMost = 64;
-  double least = kWorthIt;
+  constexpr std::uint32_t kMost = 128;
+  double least = kWorthIt * costs.undivided();
   for (std::uint32_t columns = 1; columns <= kMost; ++columns) {
     for (std::uint32_t rows = 1; rows <= kMost; ++rows) {
-      const double time = cost(size, copies.halo, columns, rows, parallel.threads);
+      const double time = costs.divided(columns, rows, parallel.threads);
       if (columns * rows < 2 || !(time < least)) continue;
       least = time;
       chosen.patches = {columns, rows};

@@ -12,7 +12,7 @@ namespace carom {
 namespace {
 
 constexpr double kNear = 3;
-constexpr double kHalo = 5;
+constexpr double kHalo = 9;
 
 /// From a point to a rectangle along the axis where it is farther, over the nearest copy; written apart from Layout.
 double distance_to(const Rectangle& owned, Vec2 point, const Box& box) {
@@ -49,6 +49,9 @@ TEST_P(OfBoundary, DisksHaveOneOwnerAndAreGivenToThoseNear) {
         if (std::abs(away) < 1e-9 || std::abs(away - kNear) < 1e-9) continue;  // on an edge, but for rounding
         const Role expected = away == 0 ? Role::owned : away < kNear ? Role::near : Role::far;
         EXPECT_EQ(loading.roles[k], expected) << "disk " << id << " is " << away << " away";
+        const bool all_the_time = loading.whole || away < 2 * kNear;
+        EXPECT_EQ(loading.shares[k] == 1, all_the_time) << "disk " << id << " is " << away << " away";
+        EXPECT_GE(loading.shares[k], 0);
       }
       for (DiskId id = 0; id < setup.system.size(); ++id) {
         EXPECT_LE(given[id], 1);

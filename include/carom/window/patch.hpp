@@ -38,7 +38,10 @@ struct PatchTask {
   std::array<bool, 2> cut;        ///< along which axes that is but a part of the plane
   std::span<const DiskId> disks;  ///< in an order that keeps neighbours together
   std::span<const Role> roles;    ///< of these disks
-  double clear = 0;               ///< owned disks that go farther than this from their start are reported (length)
+  /// How much of the time each disk is advanced, from 0 to 1; what lies so far out that its fate can matter to near
+  /// ones no more is left alone. 1 for owned and near ones.
+  std::span<const float> shares;
+  double clear = 0;  ///< owned disks that go farther than this from their start are reported (length)
 };
 
 /// Where a patch writes what became of the disks that it owns: arrays of N, entries of owned disks only.

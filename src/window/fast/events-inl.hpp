@@ -46,6 +46,7 @@ class Events {
   void note_overlaps() {
     const Index count = static_cast<Index>(work_.records.size());
     for (Index k = 0; k < count; ++k) {
+      if (!work_.counts(k)) continue;
       Candidates near;
       if (near_.gather(k, near) != Look::plain ||
           Kernel::template overlap<kOneKind>(records_, k, near.disks, near.size)) {
@@ -72,13 +73,27 @@ class Events {
       }
       if (calendar_.is_tied() && settle_tie()) continue;
       calendar_.drop_first();
-      if (records_[event.disk].next == event.time) process_event(event.disk, event.time);
+      if (records_[event.disk].next != event.time) continue;
+      if (patched_ && is_left_alone(event.disk, event.time)) continue;
+      process_event(event.disk, event.time);
     }
   }
 
  private:
   bool settle_tie() {
     return calendar_.settle_tie(work_.records, [&](Index a, Index b) { return work_.key_of(a) < work_.key_of(b); });
+  }
+
+  /// In a patch: whether the event is one of the halo's, so late that it can matter to nobody who counts. Such a disk
+  /// flies on as it is, until it meets one that is not left alone.
+  CAROM_INLINE bool is_left_alone(Index k, double time) {
+    if (time <= work_.last_events[k]) return false;
+    Record& own = records_[k];
+    const Index partner = own.partner;
+    const bool met =
+        partner >= 0 && time <= work_.last_events[partner] && records_[partner].events == near_.partner_events(k);
+    if (!met) own.next = predict::kNever;
+    return !met;
   }
 
   CAROM_INLINE void process_event(Index k, double time) {

@@ -47,7 +47,7 @@ class FastPatchSolver final : public PatchSolver {
   bool run(const State& start, const Books& books, const PatchTask& task, double until, bool logs,
            const PatchOutput& output, PatchReport& report, const std::atomic<bool>& interrupt) override {
     report = {};
-    work_.open_patch(start, books, task, report.books, logs ? &report.log : nullptr);
+    work_.open_patch(start, books, task, until, report.books, logs ? &report.log : nullptr);
     if (work_.records.empty()) return true;
     const Neighbourhood neighbourhood = work_.cells ? Neighbourhood::cells : Neighbourhood::lists;
     const fast::Loops loops = fast::loops_for(simd_, neighbourhood, work_.one_kind);

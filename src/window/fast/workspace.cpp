@@ -323,6 +323,7 @@ void Workspace::note_least_distance() noexcept {
 void Workspace::carry_all(double time) {
   std::vector<std::pair<Index, Image>> folded;
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
+    if (is_left_alone(k, time)) continue;
     Record& own = records[k];
     const Vec2 place = predict::position_at(own.flight(), time);
     own.x = place.x;

@@ -62,7 +62,7 @@ class Workspace {
   /// Loads the window's start, unless it is the end of the window closed before.
   void open(const State& start, Books& to, std::vector<Collision>* rows);
   /// Loads the disks of a patch. Counts go to `to`, which has no arrays; sums begin with those of `from`.
-  void open_patch(const State& start, const Books& from, const PatchTask& task, Books& to,
+  void open_patch(const State& start, const Books& from, const PatchTask& task, double until, Books& to,
                   std::vector<Collision>* rows);
   /// After all events before `time`: writes what became of the patch's disks.
   void store_patch(double time, const PatchOutput& output, PatchReport& report);
@@ -95,6 +95,7 @@ class Workspace {
   bool patched = false;
   Array<Role> roles;
   Array<std::uint64_t> histories;  // see NearCopy
+  Array<double> last_events;       // of each disk: what would happen to it later is left out (time)
   std::uint64_t contacts = 0;      // of disks, the halo's too
   bool met_far = false;
 
@@ -137,8 +138,9 @@ class Workspace {
  private:
   using Turns = std::pair<std::int64_t, std::int64_t>;
 
-  /// All disks to `time`, folded into the box; cells and lists know of it.
+  /// All disks to `time`, folded into the box; cells and lists know of it. Not those of a patch that were left alone.
   void carry_all(double time);
+  [[nodiscard]] bool is_left_alone(Index k, double time) const noexcept { return patched && last_events[k] < time; }
   void store_owned(Index k, double time, const PatchOutput& output) const;
   void begin_window(const State& start, Books& to, std::vector<Collision>* rows);
   void load_sums(const Books& from);

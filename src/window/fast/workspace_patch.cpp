@@ -6,7 +6,7 @@
 
 namespace carom::fast {
 
-void Workspace::open_patch(const State& start, const Books& from, const PatchTask& task, Books& to,
+void Workspace::open_patch(const State& start, const Books& from, const PatchTask& task, double until, Books& to,
                            std::vector<Collision>* rows) {
   begin_window(start, to, rows);
   patched = true;
@@ -14,6 +14,8 @@ void Workspace::open_patch(const State& start, const Books& from, const PatchTas
   clear_ = task.clear;
   roles.assign(task.roles.begin(), task.roles.end());
   histories.assign(task.disks.size(), 0);
+  last_events.resize(task.disks.size());
+  for (std::size_t k = 0; k < task.disks.size(); ++k) last_events[k] = task.shares[k] * until;
   contacts = 0;
   met_far = false;
   paths_.clear();
