@@ -67,7 +67,10 @@ std::optional<double> pressure(const Simulation& simulation, const Frame& frame)
 Summary summarize(const Simulation& simulation) {
   const System& system = simulation.system();
   const Books& books = simulation.books();
-  const Frame frame = simulation.frame();
+  const State& start = simulation.window_start();
+  std::optional<Frame> in_flight;  // a frame of its own only where there is none yet: it may be large
+  const bool at_start = simulation.time() == start.clock.start;
+  const Frame& frame = at_start ? start.disks : in_flight.emplace(simulation.frame());
   const double energy = kinetic_energy(system, frame);
   const double energy_before = simulation.initial().energy;
   const double eta = packing_fraction(system);

@@ -80,7 +80,7 @@ bool overlaps_any(const OverlapGrid& grid, Vec2 position, double radius, std::sp
 class Obstacles {
  public:
   Obstacles(const Box& box, std::span<const Obstacle> obstacles, double radius, std::size_t count)
-      : grid_(box, {{0, 0}, box.size}, 2 * smallest(obstacles, radius), obstacles.size() + count) {
+      : grid_(box, {{0, 0}, box.size}, radii_of(obstacles, radius), obstacles.size() + count) {
     for (const Obstacle& obstacle : obstacles) {
       grid_.insert(radius_of_.size(), obstacle.position, obstacle.radius);
       radius_of_.push_back(obstacle.radius);
@@ -96,9 +96,12 @@ class Obstacles {
   }
 
  private:
-  static double smallest(std::span<const Obstacle> obstacles, double radius) {
-    for (const Obstacle& obstacle : obstacles) radius = std::min(radius, obstacle.radius);
-    return radius;
+  static OverlapGrid::Radii radii_of(std::span<const Obstacle> obstacles, double radius) {
+    OverlapGrid::Radii radii{radius, radius};
+    for (const Obstacle& obstacle : obstacles) {
+      radii = {std::min(radii.smallest, obstacle.radius), std::max(radii.largest, obstacle.radius)};
+    }
+    return radii;
   }
 
   OverlapGrid grid_;
@@ -221,8 +224,12 @@ Placement place_at_random(const Box& box, std::span<const double> radii, std::ui
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
 
   std::vector<double> radius_of(radii.begin(), radii.end());
-  const double smallest = *std::min_element(radii.begin(), radii.end());
-  OverlapGrid grid(box, {{0, 0}, box.size}, 2 * smallest, radii.size() + obstacles.size());
+  OverlapGrid::Radii range{*std::min_element(radii.begin(), radii.end()),
+                           *std::max_element(radii.begin(), radii.end())};
+  for (const Obstacle& obstacle : obstacles) {
+    range = {std::min(range.smallest, obstacle.radius), std::max(range.largest, obstacle.radius)};
+  }
+  OverlapGrid grid(box, {{0, 0}, box.size}, range, radii.size() + obstacles.size());
   for (const Obstacle& obstacle : obstacles) {
     grid.insert(radius_of.size(), obstacle.position, obstacle.radius);
     radius_of.push_back(obstacle.radius);

@@ -3,6 +3,18 @@
 #include <algorithm>
 
 namespace carom {
+namespace {
+
+constexpr std::size_t kMostLevels = 24;
+
+/// How often `radius` is twice `smallest`, rounded down.
+std::size_t doublings(double radius, double smallest) noexcept {
+  int exponent = 0;
+  std::frexp(radius / smallest, &exponent);
+  return std::min(static_cast<std::size_t>(std::max(exponent - 1, 0)), kMostLevels - 1);
+}
+
+}  // namespace
 
 OverlapGrid::Axis OverlapGrid::make_axis(double low, double high, bool periodic, double cell,
                                          double most_cells) noexcept {
@@ -12,16 +24,34 @@ OverlapGrid::Axis OverlapGrid::make_axis(double low, double high, bool periodic,
   return {low, periodic ? width : 0, width > 0 ? cells / width : 0, static_cast<std::size_t>(cells)};
 }
 
-OverlapGrid::OverlapGrid(const Box& box, Extent extent, double cell, std::size_t expected_disks) {
+OverlapGrid::Level OverlapGrid::make_level(const Box& box, Extent extent, Radii radii, std::size_t expected_disks) {
   // At most some four cells a disk in all, shared between the axes by their lengths.
   const Vec2 size = extent.high - extent.low;
   const double budget = 4 * static_cast<double>(expected_disks) + 16;
   const double area = size.x * size.y;
   const double finest = area > 0 ? std::sqrt(area / budget) : std::max(size.x, size.y) / budget;
-  const double width = std::max(cell, finest);
-  x_ = make_axis(extent.low.x, extent.high.x, box.periodic(0), width, budget);
-  y_ = make_axis(extent.low.y, extent.high.y, box.periodic(1), width, budget);
-  cells_.resize(x_.cells * y_.cells);
+  const double width = std::max(2 * radii.smallest, finest);
+  Level level;
+  level.largest = radii.largest;
+  level.x = make_axis(extent.low.x, extent.high.x, box.periodic(0), width, budget);
+  level.y = make_axis(extent.low.y, extent.high.y, box.periodic(1), width, budget);
+  level.first.assign(level.x.cells * level.y.cells, kNone);
+  return level;
+}
+
+OverlapGrid::OverlapGrid(const Box& box, Extent extent, Radii radii, std::size_t expected_disks)
+    : smallest_(radii.smallest) {
+  const std::size_t last = doublings(radii.largest, smallest_);
+  for (std::size_t number = 0; number <= last; ++number) {
+    const double from = std::ldexp(smallest_, static_cast<int>(number));
+    const Radii here{from, number == last ? radii.largest : 2 * from};
+    levels_.push_back(make_level(box, extent, here, expected_disks));
+  }
+  disks_.reserve(expected_disks);
+}
+
+std::size_t OverlapGrid::level_of(double radius) const noexcept {
+  return std::min(doublings(radius, smallest_), levels_.size() - 1);
 }
 
 std::size_t OverlapGrid::Axis::cell_of(double coordinate) const noexcept {
@@ -29,18 +59,20 @@ std::size_t OverlapGrid::Axis::cell_of(double coordinate) const noexcept {
   return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
 }
 
-// Copies coordinate + n period that reach into [low, low + period].
-int OverlapGrid::Axis::first_copy(double coordinate, double radius) const noexcept {
-  return period > 0 ? static_cast<int>(std::ceil((low - radius - coordinate) / period)) : 0;
+// Copies coordinate + n period from which [low, low + period] is in reach.
+int OverlapGrid::Axis::first_copy(double coordinate, double reach) const noexcept {
+  return period > 0 ? static_cast<int>(std::ceil((low - reach - coordinate) / period)) : 0;
 }
-int OverlapGrid::Axis::last_copy(double coordinate, double radius) const noexcept {
-  return period > 0 ? static_cast<int>(std::floor((low + period + radius - coordinate) / period)) : 0;
+int OverlapGrid::Axis::last_copy(double coordinate, double reach) const noexcept {
+  return period > 0 ? static_cast<int>(std::floor((low + period + reach - coordinate) / period)) : 0;
 }
 
 void OverlapGrid::insert(std::size_t id, Vec2 position, double radius) {
-  for_each_copy(position, radius, [&](Vec2 copy) {
-    for_each_cell(copy, radius, [&](std::size_t cell) { cells_[cell].push_back({id, copy}); });
-  });
+  Level& level = levels_[level_of(radius)];
+  std::uint32_t& first = level.first[level.y.cell_of(position.y) * level.x.cells + level.x.cell_of(position.x)];
+  disks_.push_back({position, static_cast<std::uint32_t>(id), first});
+  first = static_cast<std::uint32_t>(disks_.size() - 1);
+  level.empty = false;
 }
 
 }  // namespace carom

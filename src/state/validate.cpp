@@ -145,10 +145,10 @@ OverlapGrid::Extent extent_of(const Box& box, const Frame& frame) {
   return extent;
 }
 
-double smallest_diameter(const System& system) {
-  double smallest = 2 * system.largest_radius();
-  for (const Species& kind : system.species) smallest = std::min(smallest, 2 * kind.radius);
-  return smallest;
+OverlapGrid::Radii radii_of(const System& system) {
+  OverlapGrid::Radii radii{system.largest_radius(), system.largest_radius()};
+  for (const Species& kind : system.species) radii.smallest = std::min(radii.smallest, kind.radius);
+  return radii;
 }
 
 /// The copy of an earlier disk that overlaps deepest with disk k.
@@ -167,7 +167,7 @@ std::string describe(const Overlap& overlap, std::size_t k, double sigma) {
 void check_overlaps(const System& system, const Frame& frame, const std::vector<bool>& outside,
                     std::vector<Finding>& findings) {
   Kind kind(findings, "overlaps");
-  OverlapGrid grid(system.box, extent_of(system.box, frame), smallest_diameter(system), system.size());
+  OverlapGrid grid(system.box, extent_of(system.box, frame), radii_of(system), system.size());
   std::vector<Overlap> overlaps;
   for (std::size_t k = 0; k < system.size(); ++k) {
     if (outside[k]) continue;
