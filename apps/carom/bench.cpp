@@ -24,6 +24,7 @@ struct BenchOptions {
   bool list = false;
   std::optional<std::string> name;
   SolverKind solver = SolverKind::fast;
+  ParallelOptions parallel;
   std::optional<std::uint64_t> disks;
   std::optional<double> packing;
   std::optional<double> collisions_per_disk;
@@ -107,6 +108,10 @@ nlohmann::ordered_json as_json(const Result& result) {
           {"bytes_per_disk", std::rint(measured.bytes_per_disk)},
           {"solver", summary.solver},
           {"simd", summary.simd},
+          {"threads", summary.threads},
+          {"patches", summary.patches},
+          {"patches_repaired", summary.patches_repaired},
+          {"duplicated_work", summary.duplicated_work},
           {"digest", summary.digest}};
 }
 
@@ -123,9 +128,11 @@ std::string as_json(const std::vector<Result>& results) {
 std::string heading(const Result& first) {
   const Summary& summary = first.measured.summary;
   return fmt::format(
-      "carom {}, {}, solver {}, {}\n\n{:<20} {:>8} {:>7} {:>11} {:>8} {:>11} {:>9} {:>8} {:>8} {:>10} {:>9}  {}\n",
-      version(), compiler(), summary.solver, summary.simd, "benchmark", "disks", "packing", "collisions", "seconds",
-      "per second", "ns each", "load s", "window s", "bytes/disk", "drift", "digest");
+      "carom {}, {}, solver {}, {}, {} thread{}\n\n{:<20} {:>8} {:>7} {:>11} {:>8} {:>11} {:>9} {:>8} {:>8} {:>10} "
+      "{:>9}  {}\n",
+      version(), compiler(), summary.solver, summary.simd, summary.threads, summary.threads == 1 ? "" : "s",
+      "benchmark", "disks", "packing", "collisions", "seconds", "per second", "ns each", "load s", "window s",
+      "bytes/disk", "drift", "digest");
 }
 
 std::string row_of(const Result& result) {
@@ -157,7 +164,7 @@ int run_benchmarks(const std::vector<Benchmark>& benchmarks, const BenchOptions&
   int code = kSuccess;
   try {
     for (const Benchmark& benchmark : benchmarks) {
-      results.push_back({benchmark, measure(benchmark, solver, interrupt)});
+      results.push_back({benchmark, measure(benchmark, solver, options.parallel, interrupt)});
       if (!holds(results.back())) code = kFailure;
       if (options.json) continue;
       if (results.size() == 1) print(heading(results.front()));
@@ -193,6 +200,7 @@ void add_bench(CLI::App& app, Action& action) {
       ->type_name("");
   command->add_flag("--list", options->list, "list the benchmarks");
   add_solver(*command, options->solver);
+  add_parallel(*command, options->parallel);
   add_count(*command, "--disks", options->disks, "time a gas of so many equal disks instead, at --packing");
   add_number(*command, "--packing", options->packing, "its packing fraction");
   add_number(*command, "--collisions-per-disk", options->collisions_per_disk,

@@ -74,7 +74,8 @@ class TimedWindows {
 
 }  // namespace
 
-Measurement measure(const Benchmark& benchmark, const SolverOptions& solver, const std::atomic<bool>& interrupt) {
+Measurement measure(const Benchmark& benchmark, const SolverOptions& solver, const ParallelOptions& parallel,
+                    const std::atomic<bool>& interrupt) {
   const std::uint64_t disks = benchmark.gas.disks;
   const std::uint64_t untimed = collisions_for(kCollisionsPerDiskToEquilibrate, disks);
   const std::uint64_t timed = collisions_for(benchmark.collisions_per_disk, disks);
@@ -82,7 +83,7 @@ Measurement measure(const Benchmark& benchmark, const SolverOptions& solver, con
   Measurement measured;
   restart_memory_account();
   const Clock::time_point start = Clock::now();
-  Simulation simulation(realize(make_gas(benchmark.gas).scene), solver);
+  Simulation simulation(realize(make_gas(benchmark.gas).scene), solver, parallel);
   measured.load_seconds = seconds_since(start);
   simulation.stop_when(interrupt);
 

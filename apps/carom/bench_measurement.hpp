@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "bench_catalogue.hpp"
+#include "carom/run/parallel.hpp"
 #include "carom/run/summary.hpp"
 #include "carom/window/solver.hpp"
 
@@ -24,6 +25,7 @@ struct Measurement {
 /// Makes the scene, simulates 10 collisions a disk to bring it to equilibrium, then times whole windows until there
 /// were `collisions_per_disk` more. Nothing observes the simulation. Shows a progress bar on a terminal. Throws Error
 /// where the scene cannot be simulated, and Interrupted once `interrupt` is true.
-Measurement measure(const Benchmark& benchmark, const SolverOptions& solver, const std::atomic<bool>& interrupt);
+Measurement measure(const Benchmark& benchmark, const SolverOptions& solver, const ParallelOptions& parallel,
+                    const std::atomic<bool>& interrupt);
 
 }  // namespace carom::program

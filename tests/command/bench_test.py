@@ -11,7 +11,8 @@ import time
 from program import CAROM, SOURCE, ProgramTest, main
 
 KEYS = """name disks packing_fraction collisions wall_collisions seconds collisions_per_second ns_per_collision
-load_seconds first_window_seconds energy_drift bytes_per_disk solver simd digest""".split()
+load_seconds first_window_seconds energy_drift bytes_per_disk solver simd threads patches
+patches_repaired duplicated_work digest""".split()
 TINY = ["--disks", 60, "--packing", 0.4, "--collisions-per-disk", 10]
 SIMD_NAMES = ("scalar", "SSE4", "AVX2", "AVX-512")
 
@@ -55,6 +56,11 @@ class Results(ProgramTest):
         self.assertAlmostEqual(result["collisions_per_second"] / rate, 1, delta=1e-9)
         self.assertAlmostEqual(result["ns_per_collision"] * rate / 1e9, 1, delta=1e-9)
         self.assertLess(abs(result["energy_drift"]), 1e-12)
+
+    def test_the_same_digest_in_patches_on_two_threads(self):
+        divided = self.result(*TINY, "--threads", 2, "--patches", "2x1")
+        self.assertEqual((divided["threads"], divided["patches"]), (2, 2))
+        self.assertEqual(divided["digest"], self.result(*TINY)["digest"])
 
     def test_the_same_digest_every_time_and_with_every_solver(self):
         self.assertEqual(len({self.result(*TINY, "--solver", solver)["digest"]
