@@ -99,7 +99,7 @@ void expect_like_cut_cells(const Arrangement& points) {
   ASSERT_EQ(cells.size(), points.frame.size());
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const CutCell cut = cut_cell(points, k);
-    EXPECT_NEAR(cells.area[k], cut.area(), 1e-7);
+    EXPECT_NEAR(cells.area[k], cut.area(), 3e-8 * points.system.box.size.x * points.system.box.size.y);
     const std::vector<Bond> found = bonds_of(cells, k);
     const std::vector<Bond> wanted = bonds_of(cut);
     ASSERT_EQ(found.size(), wanted.size()) << "disk " << k << " of " << cells.size();
