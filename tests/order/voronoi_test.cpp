@@ -167,6 +167,24 @@ TEST(Voronoi, SquareLatticesHaveFourNeighboursInAnyBox) {
   }
 }
 
+TEST(Voronoi, ATurnedSquareLatticeHasNoDiagonals) {
+  for (const double spacing : {1.0, 1 / 7.0, 0.3}) {
+    const double side = 10 * spacing;  // lattice vectors (4, 3)/5 and (-3, 4)/5
+    Arrangement lattice({side, side});
+    for (int i = 0; i < 10; ++i) {
+      for (int j = 0; j < 10; ++j) {
+        lattice.add({wrap((4 * i - 3 * j) * spacing / 5, side).coordinate,
+                     wrap((3 * i + 4 * j) * spacing / 5, side).coordinate});
+      }
+    }
+    const VoronoiCells cells = voronoi_cells(lattice.system, lattice.frame);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      ASSERT_EQ(cells.of(k).size(), 4U);
+      for (const VoronoiNeighbour& n : cells.of(k)) EXPECT_NEAR(length(n.r), spacing, 1e-12);
+    }
+  }
+}
+
 TEST(Voronoi, OpenClustersEndAtAMargin) {
   const Arrangement lattice = square_lattice(6, 1, kOpen);
   const VoronoiCells cells = voronoi_cells(lattice.system, lattice.frame);
