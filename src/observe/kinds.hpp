@@ -7,5 +7,8 @@
 namespace carom {
 
 ObservableKind pressure_kind();
+ObservableKind psi6_kind();
+ObservableKind rdf_kind();
+ObservableKind structure_factor_kind();
 
 }  // namespace carom

@@ -88,6 +88,9 @@ std::size_t ObservableOptions::count(std::string_view option, std::size_t standa
 const std::vector<ObservableKind>& observable_kinds() {
   static const std::vector<ObservableKind> kinds{
       pressure_kind(),
+      psi6_kind(),
+      rdf_kind(),
+      structure_factor_kind(),
   };
   return kinds;
 }
