@@ -1,5 +1,7 @@
 // The structure factor S(k) = ⟨|Σ exp(i k·r)|²⟩/N on the wave vectors that fit into the periodic box, averaged over
 // shells of |k|; and its limit at small k, which the compressibility theorem gives: S(0) = kT ρ κ_T = 1/(d(ηZ)/dη).
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -20,7 +22,9 @@ namespace carom {
 namespace {
 
 constexpr double kMeanFreeTimes = 64;
-constexpr double kStandardRange = 15;  // k times the largest diameter
+constexpr double kStandardRange = 15;    // k times the largest diameter
+constexpr double kStandardWaves = 4000;  // along the longer side, at most
+constexpr double kMostWaves = 1e5;
 constexpr std::size_t kStandardShells = 100;
 constexpr double kStandardCost = 1e8;  // disks times vectors
 constexpr double kFewestVectors = 1000;
@@ -135,7 +139,12 @@ std::unique_ptr<Observable> make(const Subject& subject, const ObservableOptions
   if (!box.periodic(0) || !box.periodic(1)) {
     throw Error("structure_factor: the box must be periodic along both axes: only then waves fit into it");
   }
-  const double k_max = options.number("k_max", kStandardRange / (2 * subject.system.largest_radius()));
+  const double one_wave = 2 * kPi / std::max(box.size.x, box.size.y);
+  const double standard_k = std::min(kStandardRange / (2 * subject.system.largest_radius()), kStandardWaves * one_wave);
+  const double k_max = options.number("k_max", standard_k);
+  if (k_max > kMostWaves * one_wave) {
+    throw Error(fmt::format("structure_factor: k_max of {} is more than {} waves along the box", k_max, kMostWaves));
+  }
   const double affordable = kStandardCost / static_cast<double>(subject.system.size());
   const auto standard = static_cast<std::size_t>(std::max(affordable, kFewestVectors));
   WaveVectors waves(box.size, k_max, options.count("bins", kStandardShells), options.count("vectors", standard));
@@ -151,7 +160,9 @@ ObservableKind structure_factor_kind() {
           .summary = "structure factor S(k) and its limit at small k",
           .from_frames = true,
           .options = {interval_option("64 mean free times"),
-                      {.name = "k_max", .meaning = "largest wave number", .standard = "15 over the largest diameter"},
+                      {.name = "k_max",
+                       .meaning = "largest wave number",
+                       .standard = "15 over the largest diameter, at most 4000 waves along the box"},
                       {.name = "bins",
                        .meaning = "number of shells of k, at most",
                        .standard = "100",

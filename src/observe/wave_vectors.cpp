@@ -78,23 +78,25 @@ WaveVectors::WaveVectors(Vec2 box, double k_max, std::size_t shells, std::size_t
     const double low = k_max * shell / count;
     const double high = k_max * (shell + 1) / count;
     const double expected = kPi * (high * high - low * low) / (2 * unit_.x * unit_.y);
-    // Small shells are listed in full, and counted to be sure.
-    std::vector<WaveVector> vectors;
-    if (expected <= 2 * static_cast<double>(share) + 100) vectors = all_between(low, high);
-    if (vectors.size() > share || vectors.empty()) {
-      const std::vector<WaveVector> some = some_between(low, high, share);
-      if (!some.empty()) vectors = some;
-    }
+    // Shells that look small enough are listed in full, and counted to be sure.
+    const bool small = expected <= 2 * static_cast<double>(share) + 100;
+    std::vector<WaveVector> vectors = small ? all_between(low, high) : std::vector<WaveVector>{};
+    if (!small || vectors.size() > share) vectors = some_between(low, high, share);
     if (!vectors.empty()) add_shell(vectors);
   }
 }
 
 std::vector<WaveVector> WaveVectors::all_between(double low, double high) const {
   std::vector<WaveVector> found;
-  const int largest_x = static_cast<int>(high / unit_.x);
+  const auto half_chord = [this](double k, double along_y) {
+    return static_cast<int>(std::sqrt(std::max(0.0, k * k - along_y * along_y)) / unit_.x);
+  };
   const int largest_y = static_cast<int>(high / unit_.y);
   for (int y = 0; y <= largest_y; ++y) {
-    for (int x = -largest_x; x <= largest_x; ++x) {
+    const int outer = half_chord(high, y * unit_.y) + 1;
+    const int inner = half_chord(low, y * unit_.y) - 1;
+    for (int x = -outer; x <= outer; ++x) {
+      if (x > -inner && x < inner) x = inner;
       const double k = length(wave({x, y}));
       if (k > low && k <= high && upper_half({x, y}) == WaveVector{x, y}) found.push_back({x, y});
     }
