@@ -6,6 +6,14 @@
 
 namespace carom {
 
+ObservableKind msd_kind();
 ObservableKind pressure_kind();
+ObservableKind pressure_tensor_kind();
+ObservableKind rate_kind();
+ObservableKind speeds_kind();
+ObservableKind temperature_kind();
+ObservableKind temperature_profile_kind();
+ObservableKind vacf_kind();
+ObservableKind wall_pressure_kind();
 
 }  // namespace carom
