@@ -24,8 +24,8 @@ namespace {
 
 constexpr double kMeanFreeTimes = 64;
 constexpr std::size_t kStandardBins = 200;
-constexpr double kStandardPairs = 2e7;  // in the largest range that is chosen unasked
-constexpr double kOpenRange = 10;       // in the largest diameter
+constexpr double kStandardRange = 16;  // in the largest diameter
+constexpr double kShortestRange = 2;   // likewise
 
 /// One number per frame.
 struct Series {
@@ -161,15 +161,14 @@ Table Psi6::history() const {
   return table;
 }
 
-/// Half the box, but no farther than some number of pairs allows; a few diameters in the open plane.
+/// So many diameters, but not beyond half the box, where images repeat one another.
 double standard_range(const System& system) {
   const Box& box = system.box;
   const double diameter = 2 * system.largest_radius();
-  if (box.boundary[0] == Boundary::open || box.boundary[1] == Boundary::open) return kOpenRange * diameter;
-  const double half_box = std::min(box.size.x, box.size.y) / 2;
-  const auto disks = static_cast<double>(system.size());
-  const double affordable = std::sqrt(2 * kStandardPairs * box.size.x * box.size.y / kPi) / disks;
-  return std::max(std::min(half_box, affordable), 2 * diameter);
+  double range = kStandardRange * diameter;
+  if (box.boundary[0] != Boundary::open) range = std::min(range, box.size.x / 2);
+  if (box.boundary[1] != Boundary::open) range = std::min(range, box.size.y / 2);
+  return std::max(range, kShortestRange * diameter);
 }
 
 }  // namespace
@@ -181,7 +180,7 @@ ObservableKind psi6_kind() {
           .options = {interval_option("64 mean free times"),
                       {.name = "r_max",
                        .meaning = "largest distance of g6",
-                       .standard = "half the box, less where there are more than 2e7 pairs",
+                       .standard = "16 diameters, at most half the box",
                        .least = 1e-300},
                       {.name = "bins",
                        .meaning = "number of bins of g6",
@@ -190,8 +189,9 @@ ObservableKind psi6_kind() {
                        .least = 1,
                        .most = 1e6}},
           .make = [](const Subject& subject, const ObservableOptions& options) -> std::unique_ptr<Observable> {
-            return std::make_unique<Psi6>(options.number("r_max", standard_range(subject.system)),
-                                          options.count("bins", kStandardBins),
+            const double range = options.number("r_max", standard_range(subject.system));
+            check_pair_range(subject.system.box, range);
+            return std::make_unique<Psi6>(range, options.count("bins", kStandardBins),
                                           frame_interval(options, subject, kMeanFreeTimes));
           }};
 }

@@ -26,7 +26,7 @@ constexpr double kStandardRange = 15;    // k times the largest diameter
 constexpr double kStandardWaves = 4000;  // along the longer side, at most
 constexpr double kMostWaves = 1e5;
 constexpr std::size_t kStandardShells = 100;
-constexpr double kStandardCost = 1e8;  // disks times vectors
+constexpr double kStandardCost = 2e7;  // disks times vectors
 constexpr double kFewestVectors = 1000;
 constexpr double kLimitRange = 2;         // k times the diameter up to which S(k) is fitted for its limit
 constexpr std::size_t kFewestShells = 6;  // in the fit
@@ -171,7 +171,7 @@ ObservableKind structure_factor_kind() {
                        .most = 1e6},
                       {.name = "vectors",
                        .meaning = "number of wave vectors, at most",
-                       .standard = "1e8 over the number of disks, at least 1000",
+                       .standard = "2e7 over the number of disks, at least 1000",
                        .whole = true,
                        .least = 1,
                        .most = 1e7}},
