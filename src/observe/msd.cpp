@@ -108,12 +108,11 @@ class Msd final : public Observable {
       diffusion.theory = enskog_diffusion(*fluid_, kT_);
       diffusion.theory_source = "Enskog × 1.02704, infinite system";
     }
-    add_estimate(measurement, "diffusion_lag", "time", 0.5 * (time_of(from) + time_of(to)));
     if (past_.frames() < kLagsPerRun * past_.lag(to)) {
-      measurement.warnings.emplace_back(
-          "the run is too short to tell the error of diffusion: it is less than 32 times " +
-          std::string("as long as the shortest lags that the slope is taken from"));
+      diffusion.warnings.emplace_back(
+          "the run is too short to tell the error: it is less than 32 times as long as a lag");
     }
+    add_estimate(measurement, "diffusion_lag", "time", 0.5 * (time_of(from) + time_of(to)));
   }
 
   [[nodiscard]] Table table() const {

@@ -69,7 +69,7 @@ class PressureTensor final : public Observable {
         z.theory_source = "Kolafa and Rottner 2006, infinite system";
       }
     }
-    Measurement measurement{.name = std::string(name()), .estimates = {}, .tables = {}, .warnings = all.warnings};
+    Measurement measurement{.name = std::string(name())};
     for (const Estimate& z : all.estimates) {
       measurement.estimates.push_back(scaled(z, "pressure_" + z.name, "1/length²", density_));
     }

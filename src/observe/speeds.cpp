@@ -218,12 +218,12 @@ class Speeds final : public Observable {
     if (samples == 0) return;
     const KolmogorovTest test = kolmogorov_test();
     add_estimate(measurement, "ks_distance", "", test.distance).samples = samples;
-    add_estimate(measurement, "ks_p_value", "", test.p_value).samples = samples;
-    add_estimate(measurement, "sample_spacing", "time", sampled_time_ / static_cast<double>(samples));
+    Estimate& p_value = add_estimate(measurement, "ks_p_value", "", test.p_value);
+    p_value.samples = samples;
     if (from_frames_) {
-      measurement.warnings.emplace_back(
-          "ks_p_value holds if frames are further apart than velocities are correlated (some mean free times)");
+      p_value.warnings.emplace_back("holds if frames are further apart than velocities are correlated");
     }
+    add_estimate(measurement, "sample_spacing", "time", sampled_time_ / static_cast<double>(samples));
   }
 
   [[nodiscard]] Table histogram() const {

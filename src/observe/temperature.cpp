@@ -124,7 +124,7 @@ class Temperature final : public Observable {
     cooling.samples = fit_.samples();
     cooling.theory = theoretical_rate(initial.value);
     if (cooling.theory) cooling.theory_source = "Haff 1983, Enskog's collision rate";
-    if (!rate.error) measurement.warnings.emplace_back("the run is too short to tell the error of cooling_rate");
+    if (!rate.error) cooling.warnings.emplace_back("the run is too short to tell the error");
   }
 
   [[nodiscard]] Table table() const {

@@ -156,11 +156,11 @@ class Vacf final : public Observable {
       diffusion.theory = enskog_diffusion(*fluid_, kT_);
       diffusion.theory_source = "Enskog × 1.02704, infinite system";
     }
-    add_estimate(measurement, "diffusion_lag", "time", time_of(last));
     if (last + 1 < past_.lags()) {
-      measurement.warnings.emplace_back(
-          "the run is too short for the longest lags: diffusion is the integral up to diffusion_lag");
+      diffusion.warnings.emplace_back(
+          "the run is too short for the longest lags: this is the integral up to diffusion_lag");
     }
+    add_estimate(measurement, "diffusion_lag", "time", time_of(last));
   }
 
   [[nodiscard]] Table correlation_table() const {

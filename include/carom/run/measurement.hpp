@@ -19,6 +19,7 @@ struct Estimate {
   std::optional<double> correlation_time = {};  ///< of the samples (time)
   std::optional<double> theory = {};            ///< what it should be, where that is known
   std::string theory_source = {};               ///< "Kolafa and Rottner 2006"
+  std::vector<std::string> warnings = {};       ///< "the run is too short to tell the error …"
 };
 
 /// A column of a table, one entry per row.
