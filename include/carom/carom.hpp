@@ -18,6 +18,7 @@
 #include "carom/io/collide_batch.hpp"
 #include "carom/io/collisions_csv.hpp"
 #include "carom/io/file.hpp"
+#include "carom/io/frames_csv.hpp"
 #include "carom/io/output_directory.hpp"
 #include "carom/io/report.hpp"
 #include "carom/io/scene_file.hpp"

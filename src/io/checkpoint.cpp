@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 
 #include "carom/base/digest.hpp"
@@ -17,6 +18,7 @@
 namespace carom {
 namespace {
 
+constexpr std::string_view kCheckpointMark = "carom checkpoint\n";
 constexpr std::uint64_t kVersion = 1;
 /// Bytes before the HDF5 file proper: what HDF5 calls a user block, which its readers skip.
 constexpr std::size_t kHead = 512;
@@ -58,6 +60,13 @@ Envelope read_envelope(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 bool is_checkpoint(std::string_view bytes) noexcept { return bytes.starts_with(kCheckpointMark); }
+
+bool is_checkpoint_file(const std::string& path) {
+  if (path == "-" || !std::filesystem::is_regular_file(path)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kCheckpointMark.size(), '\0');
+  return file.read(head.data(), static_cast<std::streamsize>(head.size())) && is_checkpoint(head);
+}
 
 std::string checkpoint_bytes(const Checkpoint& checkpoint) {
   const std::string content = io::checkpoint_image(checkpoint);

@@ -121,33 +121,23 @@ class H5mdWriter final : public TrajectoryWriter {
   using Start = GrowingFile::Start;
 
   H5mdWriter(const std::string& path, const System& system) : disk_(path, Start::create), path_(path) {
-    file_ = disk_.open(Start::create);
-    {
-      const Group root(file_, path_);
-      write_about(root);
-      write_parameters(root, system);
-      const Group particles = root.create("particles");
-      const Group all = particles.create("all");
-      write_box(all, system.box);
-      write_constants(all, system);
-      columns_.emplace(create_columns(root, all, system));
-    }
-    begin_growing();
-    disk_.put_in_place();
+    with_reason([&] {
+      file_ = disk_.open(Start::create);
+      lay_out(system);
+      begin_growing();
+      disk_.put_in_place();
+    });
   }
 
   H5mdWriter(const std::string& path, const System& system, const TrajectoryLength& kept)
       : disk_(path, Start::go_on), path_(path) {
-    file_ = disk_.open(Start::go_on);
-    columns_.emplace(open_columns(Group(file_, path_), system.size()));
-    for (const Rows* column : columns_->all()) {
-      if (column->count() >= kept.frames) continue;
-      throw Error("is shorter than it was: " + std::to_string(column->count()) + " frames, of which " +
-                      std::to_string(kept.frames) + " should stay",
-                  {path_});
-    }
-    begin_growing();
-    cut_to(kept);
+    with_reason([&] {
+      file_ = disk_.open(Start::go_on);
+      columns_.emplace(open_columns(Group(file_, path_), system.size()));
+      require_frames(kept.frames);
+      begin_growing();
+      cut_to(kept);
+    });
   }
 
   ~H5mdWriter() override {
@@ -159,21 +149,20 @@ class H5mdWriter final : public TrajectoryWriter {
   }
 
   void append(const System& system, const Frame& frame) override {
-    try {
+    with_reason([&] {
       append_rows(system, frame);
       flush();
-    } catch (const Error&) {
-      disk_.throw_if_failed();  // tells more than what the library made of it
-      throw;
-    }
+    });
   }
 
   [[nodiscard]] TrajectoryLength length() const noexcept override { return {columns_->time.count(), 0}; }
 
   void cut_to(const TrajectoryLength& length) override {
-    const auto columns = columns_->all();
-    std::for_each(columns.rbegin(), columns.rend(), [&](Rows* column) { column->cut_to(length.frames); });
-    flush();
+    with_reason([&] {
+      const auto columns = columns_->all();
+      std::for_each(columns.rbegin(), columns.rend(), [&](Rows* column) { column->cut_to(length.frames); });
+      flush();
+    });
   }
 
   void sync() override { disk_.sync(); }
@@ -188,6 +177,36 @@ class H5mdWriter final : public TrajectoryWriter {
   }
 
  private:
+  /// The system's reason for a failure tells more than what the library made of it.
+  template <typename Action>
+  void with_reason(const Action& action) const {
+    try {
+      action();
+    } catch (const Error&) {
+      disk_.throw_if_failed();
+      throw;
+    }
+  }
+
+  void lay_out(const System& system) {
+    const Group root(file_, path_);
+    write_about(root);
+    write_parameters(root, system);
+    const Group all = root.create("particles").create("all");
+    write_box(all, system.box);
+    write_constants(all, system);
+    columns_.emplace(create_columns(root, all, system));
+  }
+
+  void require_frames(std::uint64_t frames) {
+    for (const Rows* column : columns_->all()) {
+      if (column->count() >= frames) continue;
+      throw Error("is shorter than it was: " + std::to_string(column->count()) + " frames, of which " +
+                      std::to_string(frames) + " should stay",
+                  {path_});
+    }
+  }
+
   void append_rows(const System& system, const Frame& frame) {
     std::vector<std::int64_t> ids(frame.size());
     for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = static_cast<std::int64_t>(k);

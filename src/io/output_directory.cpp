@@ -19,13 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kTrial = ".carom-trial";
+
 /// Files are written under such a name first.
 bool is_unfinished(const std::string& name) { return name.find(".new-") != std::string::npos; }
 
 bool belongs_to_a_run(const std::string& name) {
   const std::string finished = name.substr(0, name.find(".new-"));
   for (const char* const known : {"report.json", "scene.toml", "final.xyz", "collisions.csv", "checkpoint.h5",
-                                  "checkpoint-1.h5", "trajectory.xyz", "trajectory.h5md"}) {
+                                  "checkpoint-1.h5", "trajectory.xyz", "trajectory.h5md", kTrial}) {
     if (finished == known) return true;
   }
   return name.starts_with("trajectory.");
@@ -101,7 +103,8 @@ class OutputDirectory::Lock {
 OutputDirectory::OutputDirectory(std::string path, bool overwrite) : path_(std::move(path)) {
   create(path_);
   if (!overwrite) {
-    const std::vector<fs::path> old = files_of_a_run(path_);
+    std::vector<fs::path> old = files_of_a_run(path_);
+    std::erase_if(old, [](const fs::path& file) { return is_unfinished(file.filename().string()); });
     if (!old.empty()) {
       throw Error("holds a run already (" + old.front().filename().string() + "): choose another or overwrite it",
                   {path_});
@@ -119,7 +122,7 @@ OutputDirectory OutputDirectory::of_run(std::string path) {
 
 void OutputDirectory::lock_and_prove_writable() {
   lock_ = std::make_shared<const Lock>(path_);
-  prove_writable(path_, in(".carom-trial"));
+  prove_writable(path_, in(kTrial));
 }
 
 void OutputDirectory::remove_old_run() const {

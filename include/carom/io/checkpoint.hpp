@@ -33,9 +33,9 @@ struct Checkpoint {
   SavedSums sums;                   ///< of the observables
 };
 
-/// Whether a file begins as a checkpoint does: its first kCheckpointMark.size() bytes will do.
-inline constexpr std::string_view kCheckpointMark = "carom checkpoint\n";
+/// Whether a file begins as a checkpoint does. One that cannot be read does not.
 bool is_checkpoint(std::string_view bytes) noexcept;
+bool is_checkpoint_file(const std::string& path);
 
 /// The content of a checkpoint file: a line of text with version, length and XXH3 of what follows, then an HDF5 file.
 /// docs/files.md has the schema. Throws Error in a build without HDF5, as do the others.
