@@ -38,6 +38,7 @@ void add_resume(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
+void add_analyze(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
 

@@ -166,8 +166,8 @@ int convert_command(const ConvertOptions& options) {
   const bool known = ending == ".toml" || ending == ".xyz" || ending == ".extxyz" || ending == ".h5md" ||
                      ending == ".csv" || ending == ".h5";
   if (!known) {
-    throw Error(fmt::format("cannot convert to {}: give a name that ends in .toml, .xyz, .h5md, .csv or .h5",
-                            options.out));
+    throw Error(
+        fmt::format("cannot convert to {}: give a name that ends in .toml, .xyz, .h5md, .csv or .h5", options.out));
   }
   std::error_code not_there;
   if (fs::equivalent(options.in, options.out, not_there)) {

@@ -62,6 +62,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_check(app, action);
   add_info(app, action);
   add_convert(app, action);
+  add_analyze(app, action);
   add_draw(app, action);
   add_bench(app, action);
   add_version_flag(app);

@@ -13,7 +13,8 @@ namespace carom::program {
 namespace {
 
 int check_command(const std::string& path) {
-  const std::vector<Problem> problems = problems_in(path);
+  const std::vector<Problem> problems =
+      problems_in(path, [](const RunSettings& run) { return problems_of(run.observe); });
   if (!problems.empty()) throw Error(problems);
   print(display_name(path) + ": no problems\n");
   return kSuccess;
@@ -163,10 +164,13 @@ void add_check(CLI::App& app, Action& action) {
 }
 
 void add_info(CLI::App& app, Action& action) {
-  CLI::App* command = add_command(app, "info", "What a scene, trajectory or checkpoint holds", "carom info scenes/gas.toml");
+  CLI::App* command =
+      add_command(app, "info", "What a scene, trajectory or checkpoint holds", "carom info scenes/gas.toml");
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  command->add_option("FILE", *path, "a scene, an extended XYZ or H5MD trajectory, or a checkpoint")->required()->type_name("");
+  command->add_option("FILE", *path, "a scene, an extended XYZ or H5MD trajectory, or a checkpoint")
+      ->required()
+      ->type_name("");
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([path, json, &action] { action = [path, json] { return info_command(*path, *json); }; });
 }

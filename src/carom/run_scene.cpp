@@ -16,6 +16,7 @@
 #include "carom/io/xyz.hpp"
 #include "carom/run/exhaustion.hpp"
 #include "checkpoint_keeper.hpp"
+#include "observed.hpp"
 #include "run_files.hpp"
 
 namespace carom {
@@ -40,6 +41,7 @@ class SceneRun {
   SceneRun(Setup setup, const RunPlan& plan)
       : plan_(checked(plan)),
         scene_digest_(digest(setup.system, setup.frame)),
+        observed_(plan.settings, setup),
         scene_(plan.directory ? to_toml({explicit_scene(setup, plan.title), plan.settings}) : std::string()),
         simulation_(std::move(setup), plan.solver, plan.parallel) {
     simulation_.measure_from(plan.settings.equilibrate);
@@ -49,7 +51,8 @@ class SceneRun {
 
   SceneRun(Checkpoint checkpoint, const RunPlan& plan)
       : plan_(checked(plan)),
-        scene_digest_(std::move(checkpoint.scene_digest)),
+        scene_digest_(checkpoint.scene_digest),
+        observed_(checkpoint),
         simulation_(std::move(checkpoint.snapshot), plan.solver, plan.parallel),
         seconds_before_(checkpoint.wall_seconds),
         quiet_windows_(checkpoint.quiet_windows) {
@@ -107,6 +110,7 @@ class SceneRun {
   void prepare() {
     if (plan_.interrupt != nullptr) simulation_.stop_when(*plan_.interrupt);
     if (log_) simulation_.add_observer(*log_);
+    observed_.watch(simulation_);
     collisions_before_ = simulation_.books().collisions;
     if (!plan_.directory) return;
     keeper_.emplace(*plan_.directory, plan_.checkpoint_every, plan_.checkpoint_minutes, simulation_.time());
@@ -184,6 +188,7 @@ class SceneRun {
                           .quiet_windows = quiet_windows_,
                           .wall_seconds = seconds_spent(),
                           .sums = {}};
+    observed_.keep_in(checkpoint);
     if (log_) {
       log_->sync();
       checkpoint.files.log = plan_.directory->name_within(*plan_.collisions_file);
@@ -225,6 +230,7 @@ class SceneRun {
     end_.record.version = version();
     end_.record.compiler = compiler();
     end_.record.command = plan_.command;
+    end_.record.observables = observed_.finish(plan_.directory);
     if (log_) log_->finish(simulation_);
     if (frames_) frames_->finish(end_.interrupted);
     if (plan_.directory) {
@@ -237,6 +243,7 @@ class SceneRun {
 
   const RunPlan& plan_;
   std::string scene_digest_;
+  Observed observed_;
   std::string scene_;  // as TOML, until it is written
   std::unique_ptr<CollisionLog> log_;
   Simulation simulation_;

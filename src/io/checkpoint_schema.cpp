@@ -210,6 +210,25 @@ SavedSums read_sums(const Group& root, double most) {
   return sums;
 }
 
+void write_start(const Group& root, const Frame& start) {
+  const Group group = root.create("start");
+  group.write_array("x", start.x);
+  group.write_array("y", start.y);
+  group.write_array("vx", start.vx);
+  group.write_array("vy", start.vy);
+}
+
+Frame read_start(const Group& root, std::size_t disks) {
+  const Group group = root.below("start");
+  Frame start;
+  start.resize(disks);
+  start.x = group.read_array<double>("x", disks);
+  start.y = group.read_array<double>("y", disks);
+  start.vx = group.read_array<double>("vx", disks);
+  start.vy = group.read_array<double>("vy", disks);
+  return start;
+}
+
 std::size_t expected_size(const Checkpoint& checkpoint) {
   constexpr std::size_t kPerDisk = 9 * sizeof(double) + sizeof(std::uint32_t);
   return checkpoint.snapshot.system.size() * kPerDisk + (std::size_t{1} << 18);
@@ -227,6 +246,7 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
   write_measured(root, checkpoint.snapshot);
   write_run(root, checkpoint);
   write_sums(root, checkpoint.sums);
+  if (checkpoint.start) write_start(root, *checkpoint.start);
   return image_of(file, name);
 }
 
@@ -243,6 +263,7 @@ Checkpoint read_checkpoint_image(std::string_view image, const std::string& name
   read_measured(root, snapshot);
   read_run(root, checkpoint, name);
   checkpoint.sums = read_sums(root, most);
+  if (root.has("start")) checkpoint.start = read_start(root, disks);
   const std::vector<std::string> faults = faults_of(snapshot);
   if (!faults.empty()) throw Error("the checkpoint holds a state that no run can have reached: " + faults[0], {name});
   return checkpoint;

@@ -98,6 +98,12 @@ class TomlWriter {
     key("every", run.every);
     if (run.trajectory == TrajectoryFormat::xyz) append("trajectory = \"xyz\"\n");
     if (run.trajectory == TrajectoryFormat::h5md) append("trajectory = \"h5md\"\n");
+    for (const ObserveSpec& spec : run.observe) write_observe(spec);
+  }
+
+  void write_observe(const ObserveSpec& spec) {
+    append("\n[[observe]]\nname = {}\n", quoted(spec.name));
+    for (const auto& [option, value] : spec.options) key(option, value);
   }
 
   void write_gas(const GasSpec& gas) {

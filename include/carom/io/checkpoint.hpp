@@ -31,6 +31,8 @@ struct Checkpoint {
   std::uint64_t quiet_windows = 0;  ///< windows without a collision since the last one
   double wall_seconds = 0;          ///< spent so far
   SavedSums sums;                   ///< of the observables
+  /// The frame at time 0 if there are observables: what they measure by default depends on it. Without windings.
+  std::optional<Frame> start = {};
 };
 
 /// Whether a file begins as a checkpoint does. One that cannot be read does not.

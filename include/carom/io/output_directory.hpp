@@ -37,6 +37,7 @@ class OutputDirectory {
   [[nodiscard]] std::string trajectory(TrajectoryFormat format = TrajectoryFormat::xyz) const {
     return in(format == TrajectoryFormat::h5md ? "trajectory.h5md" : "trajectory.xyz");
   }
+  [[nodiscard]] std::string observables() const { return in("observables"); }  ///< a directory of its own
   [[nodiscard]] std::string in(std::string_view name) const;
   /// The name of a file that lies in this directory, else the path as it was given.
   [[nodiscard]] std::string name_within(const std::string& path) const;
