@@ -34,6 +34,7 @@ using Action = std::function<int()>;
 void add_collide(CLI::App& app, Action& action);
 void add_make(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);
+void add_resume(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);

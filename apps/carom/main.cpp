@@ -58,6 +58,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_collide(app, action);
   add_make(app, action);
   add_run(app, action);
+  add_resume(app, action);
   add_check(app, action);
   add_info(app, action);
   add_convert(app, action);

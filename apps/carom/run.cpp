@@ -12,15 +12,14 @@
 #include "carom/carom.hpp"
 #include "command.hpp"
 #include "environment.hpp"
-#include "interrupt.hpp"
 #include "options.hpp"
-#include "progress.hpp"
+#include "run_shared.hpp"
 
 namespace carom::program {
 namespace {
 
-const std::map<std::string, std::optional<TrajectoryFormat>> kTrajectories{{"xyz", TrajectoryFormat::xyz},
-                                                                           {"none", TrajectoryFormat::none}};
+const std::map<std::string, std::optional<TrajectoryFormat>> kTrajectories{
+    {"xyz", TrajectoryFormat::xyz}, {"h5md", TrajectoryFormat::h5md}, {"none", TrajectoryFormat::none}};
 
 struct RunOptions {
   std::string scene;
@@ -34,19 +33,12 @@ struct RunOptions {
   std::optional<double> every;
   std::optional<TrajectoryFormat> trajectory;
   std::string log_collisions;
+  SavingOptions saving;
   std::vector<ObserveSpec> observe;
   bool overwrite = false;
   bool json = false;
   bool quiet = false;
 };
-
-void require_time(const char* option, const std::optional<double>& value, bool zero_allowed) {
-  if (!value) return;
-  const bool fits = std::isfinite(*value) && (zero_allowed ? *value >= 0 : *value > 0);
-  if (!fits)
-    throw Error(fmt::format("{} {}: it must be a finite time, {}", option, *value,
-                            zero_allowed ? "0 or more" : "greater than 0"));
-}
 
 void check_options(const RunOptions& options) {
   require_time("--until", options.until, true);
@@ -59,9 +51,12 @@ void check_options(const RunOptions& options) {
       std::filesystem::equivalent(options.log_collisions, options.scene, not_there)) {
     throw UsageError("--log-collisions " + options.log_collisions + ": this is the scene, which would be lost");
   }
+  check_saving(options.saving, !options.out.empty());
   if (!options.out.empty()) return;
   if (options.every) throw UsageError("--every writes frames of the trajectory: it needs --out DIR");
-  if (options.trajectory == TrajectoryFormat::xyz) throw UsageError("--trajectory xyz needs --out DIR");
+  if (options.trajectory.value_or(TrajectoryFormat::none) != TrajectoryFormat::none) {
+    throw UsageError("--trajectory needs --out DIR");
+  }
   if (options.overwrite) throw UsageError("--overwrite goes with --out DIR");
 }
 
@@ -77,9 +72,9 @@ RunSettings settled(RunSettings settings, const RunOptions& options) {
   if (options.equilibrate) settings.equilibrate = *options.equilibrate;
   if (!options.observe.empty()) settings.observe = options.observe;
   if (options.every) settings.every = options.every;
-  if (options.every) settings.trajectory = TrajectoryFormat::xyz;
+  if (options.every && settings.trajectory == TrajectoryFormat::none) settings.trajectory = TrajectoryFormat::xyz;
   if (options.trajectory) settings.trajectory = *options.trajectory;
-  if (!options.out.empty() && settings.trajectory == TrajectoryFormat::xyz && !settings.every) {
+  if (!options.out.empty() && settings.trajectory != TrajectoryFormat::none && !settings.every) {
     throw UsageError("a trajectory needs --every DT (or `every` in the scene), the time between two frames");
   }
   if (settings.until && *settings.until > kLatestTime) {
@@ -99,21 +94,6 @@ void reseed(Scene& scene, std::uint64_t seed) {
   for (GasSpec& gas : scene.gas) gas.seed = seed;
 }
 
-/// Prints the report and tells by the exit code how the run ended.
-int conclude(const RunEnd& end, const RunOptions& options) {
-  print(options.json ? report_json(end.record) : report_text(end.record));
-  if (end.exhausted)
-    tell(fmt::format("no two disks meet any more: the run ended at {} collisions", end.record.summary.collisions));
-  const std::vector<std::string> broken = violations(end.record.summary);
-  for (const std::string& violation : broken) tell("DO NOT TRUST THIS RUN: " + violation);
-  if (end.interrupted) {
-    tell(fmt::format("interrupted; this is the state at time {}, the start of the window in flight{}",
-                     end.record.summary.time, options.out.empty() ? "" : "; it is in " + options.out));
-    return kInterrupted;
-  }
-  return broken.empty() ? kSuccess : kFailure;
-}
-
 int run_command(const RunOptions& options) {
   check_options(options);
   SceneFile file = read_scene(options.scene);
@@ -130,16 +110,9 @@ int run_command(const RunOptions& options) {
   if (!options.out.empty()) plan.directory.emplace(options.out, options.overwrite);
   if (!options.log_collisions.empty()) plan.collisions_file = options.log_collisions;
 
-  ProgressBar bar(!options.quiet);
-  if (bar.visible()) {
-    plan.progress = [&bar](double done, const Simulation& simulation) {
-      bar.show({done, simulation.time(), simulation.books().collisions});
-    };
-  }
-  plan.interrupt = &catch_interrupts();
-  const RunEnd end = run_scene(std::move(setup), plan);
-  bar.clear();
-  return conclude(end, options);
+  apply(options.saving, plan);
+  const RunEnd end = with_progress(plan, options.quiet, [&] { return run_scene(std::move(setup), plan); });
+  return conclude(end, options.json, options.out);
 }
 
 }  // namespace
@@ -149,7 +122,9 @@ void add_run(CLI::App& app, Action& action) {
   mention_simd_variable(*command);
   const auto options = std::make_shared<RunOptions>();
   command
-      ->add_option("SCENE", options->scene, "a scene (TOML), an algs4 CollisionSystem file, an extended XYZ file, or -")
+      ->add_option("SCENE", options->scene,
+                   "a scene (TOML), an algs4 CollisionSystem file, the last frame of an extended XYZ or H5MD\n"
+                   "file, a checkpoint, or -")
       ->required()
       ->type_name("");
   add_number(*command, "--until", options->until, "simulate to this time");
@@ -163,10 +138,12 @@ void add_run(CLI::App& app, Action& action) {
   add_parallel(*command, options->parallel);
   add_count(*command, "--seed", options->seed, "take the place of the seeds in the scene");
   add_path(*command, "--out", options->out, "DIR",
-           "directory for report.json, scene.toml, final.xyz and the trajectory");
+           "directory for report.json, scene.toml, final.xyz, checkpoints and the trajectory");
   add_number(*command, "--every", options->every, "time between two frames of the trajectory");
-  add_choice(*command, "--trajectory", options->trajectory, kTrajectories, "format of the trajectory: xyz or none");
+  add_choice(*command, "--trajectory", options->trajectory, kTrajectories,
+             "format of the trajectory: xyz, h5md or none");
   add_path(*command, "--log-collisions", options->log_collisions, "FILE", "write every collision to this CSV file");
+  add_saving(*command, options->saving);
   command->add_flag("--overwrite", options->overwrite, "replace the run that is in the directory");
   command->add_flag("--json", options->json, "print the report as one JSON object");
   command->add_flag("--quiet", options->quiet, "show no progress");

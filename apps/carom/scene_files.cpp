@@ -1,6 +1,7 @@
-// carom check, info, convert: scene files looked at and rewritten.
+// carom check and info: files looked at.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,13 +11,6 @@
 
 namespace carom::program {
 namespace {
-
-std::string ending_of(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  const std::size_t dot = path.find_last_of('.');
-  const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash);
-  return has_ending ? path.substr(dot) : "";
-}
 
 int check_command(const std::string& path) {
   const std::vector<Problem> problems =
@@ -28,22 +22,77 @@ int check_command(const std::string& path) {
 
 nlohmann::ordered_json boundary_of(const Box& box) { return {name_of(box.boundary[0]), name_of(box.boundary[1])}; }
 
+/// What there is beside a scene.
+struct FrameTimes {
+  std::size_t count = 0;
+  double first = 0;
+  double last = 0;
+  bool cut_off = false;
+};
+
 /// What `info` says, computed once for both ways of saying it.
 struct Info {
   SceneFile file;
   Setup setup;
-  std::optional<std::size_t> frames;  // of an XYZ file
+  std::optional<FrameTimes> frames;      // of a trajectory
+  std::optional<Checkpoint> checkpoint;  // without its disks
 };
 
+Info checkpoint_info(const std::string& path) {
+  Info info;
+  info.checkpoint = read_checkpoint(path);
+  Snapshot& snapshot = info.checkpoint->snapshot;
+  info.setup = {std::move(snapshot.system), std::move(snapshot.state.disks)};
+  info.file.scene.title = info.checkpoint->title;
+  info.file.run = info.checkpoint->settings;
+  return info;
+}
+
+/// The last whole frame of a trajectory, and how many there are.
+Info trajectory_info(const std::string& path) {
+  Info info;
+  FrameTimes frames;
+  const std::unique_ptr<TrajectoryReader> ahead = open_trajectory(path);
+  const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path);
+  while (const std::optional<FrameHeader> header = ahead->skip()) {
+    if (frames.count == 0) frames.first = header->time;
+    if (frames.count++ > 0) reader->skip();
+    frames.last = header->time;
+  }
+  frames.cut_off = ahead->cut_off();
+  if (frames.count == 0) throw Error("there is no frame in this file", {path});
+  info.setup = reader->next().value();
+  info.frames = frames;
+  return info;
+}
+
 Info read_info(const std::string& path) {
+  const std::filesystem::path name(path);
+  const bool regular = path != "-" && std::filesystem::is_regular_file(name);
+  if (is_checkpoint_file(path)) return checkpoint_info(path);
+  const bool xyz = name.extension() == ".xyz" || name.extension() == ".extxyz";
+  if (regular && (xyz || is_hdf5_file(path))) return trajectory_info(path);
   Info info;
   info.file = read_scene(path);
   info.setup = realize_here(info.file.scene);
-  if (ending_of(path) != ".xyz") return info;
-  XyzReader reader(path);
-  info.frames = 0;
-  while (reader.skip()) ++*info.frames;
   return info;
+}
+
+void add_times(const Info& info, nlohmann::ordered_json& json) {
+  if (info.frames) {
+    json["frames"] = info.frames->count;
+    json["first_time"] = info.frames->first;
+    json["last_time"] = info.frames->last;
+    if (info.frames->cut_off) json["cut_off"] = true;
+  }
+  if (info.checkpoint) {
+    const Snapshot& snapshot = info.checkpoint->snapshot;
+    json["time"] = snapshot.state.clock.start;
+    json["window"] = snapshot.state.clock.window;
+    json["collisions_so_far"] = snapshot.books.collisions;
+    json["wall_collisions_so_far"] = snapshot.books.wall_collisions;
+    json["frames_so_far"] = info.checkpoint->files.frames;
+  }
 }
 
 nlohmann::ordered_json as_json(const Info& info) {
@@ -53,7 +102,7 @@ nlohmann::ordered_json as_json(const Info& info) {
   nlohmann::ordered_json json;
   json["title"] = info.file.scene.title;
   json["disks"] = system.size();
-  if (info.frames) json["frames"] = *info.frames;
+  add_times(info, json);
   json["box"] = {system.box.size.x, system.box.size.y};
   json["boundary"] = boundary_of(system.box);
   const double eta = packing_fraction(system);
@@ -105,22 +154,6 @@ int info_command(const std::string& path, bool json) {
   return kSuccess;
 }
 
-int convert_command(const std::string& in, const std::string& out) {
-  const std::string ending = ending_of(out);
-  if (ending != ".toml" && ending != ".xyz") {
-    throw Error(fmt::format("cannot convert to {}: give a name that ends in .toml or .xyz", out));
-  }
-  SceneFile file = read_scene(in);
-  const Setup setup = realize_here(file.scene);
-  if (ending == ".xyz") {
-    write_file(out, xyz_frame(setup.system, setup.frame));
-  } else {
-    file.scene = explicit_scene(setup, file.scene.title);
-    write_file(out, to_toml(file));
-  }
-  return kSuccess;
-}
-
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
@@ -131,22 +164,15 @@ void add_check(CLI::App& app, Action& action) {
 }
 
 void add_info(CLI::App& app, Action& action) {
-  CLI::App* command = add_command(app, "info", "What a scene or trajectory holds", "carom info scenes/gas.toml");
+  CLI::App* command =
+      add_command(app, "info", "What a scene, trajectory or checkpoint holds", "carom info scenes/gas.toml");
   const auto path = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  command->add_option("FILE", *path, "the scene or extended XYZ file")->required()->type_name("");
+  command->add_option("FILE", *path, "a scene, an extended XYZ or H5MD trajectory, or a checkpoint")
+      ->required()
+      ->type_name("");
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([path, json, &action] { action = [path, json] { return info_command(*path, *json); }; });
-}
-
-void add_convert(CLI::App& app, Action& action) {
-  CLI::App* command =
-      add_command(app, "convert", "Rewrite a scene in another format", "carom convert scenes/gas.toml gas.xyz");
-  const auto in = std::make_shared<std::string>();
-  const auto out = std::make_shared<std::string>();
-  command->add_option("IN", *in, "TOML, algs4 text or extended XYZ")->required()->type_name("");
-  command->add_option("OUT", *out, "a name ending in .toml or .xyz")->required()->type_name("");
-  command->callback([in, out, &action] { action = [in, out] { return convert_command(*in, *out); }; });
 }
 
 }  // namespace carom::program

@@ -7,6 +7,15 @@
 #include <xxhash.h>
 
 namespace carom {
+namespace {
+
+std::string in_hexadecimal(std::uint64_t value) {
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[value >> shift & 15];
+  return text;
+}
+
+}  // namespace
 
 struct Digest::Hash {
   XXH3_state_t state;
@@ -28,10 +37,8 @@ void Digest::add(std::int64_t value) noexcept { hash_->add_bytes(std::bit_cast<s
 
 std::uint64_t Digest::value() const noexcept { return XXH3_64bits_digest(&hash_->state); }
 
-std::string Digest::hex() const {
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[value() >> shift & 15];
-  return text;
-}
+std::string Digest::hex() const { return in_hexadecimal(value()); }
+
+std::string digest_of_bytes(std::string_view bytes) { return in_hexadecimal(XXH3_64bits(bytes.data(), bytes.size())); }
 
 }  // namespace carom

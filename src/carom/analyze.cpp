@@ -11,7 +11,7 @@
 
 #include "carom/base/error.hpp"
 #include "carom/io/file.hpp"
-#include "carom/io/xyz.hpp"
+#include "carom/io/trajectory.hpp"
 #include "carom/observe/observable_set.hpp"
 
 namespace carom {
@@ -23,19 +23,21 @@ namespace fs = std::filesystem;
 std::string trajectory_in(const std::string& path) {
   std::error_code ignored;
   if (path == "-" || !fs::is_directory(path, ignored)) return path;
-  const std::string file = (fs::path(path) / "trajectory.xyz").string();
-  if (!fs::exists(file, ignored)) throw Error("holds no trajectory: run with --trajectory xyz --every DT", {path});
-  return file;
+  for (const char* const name : {"trajectory.xyz", "trajectory.h5md"}) {
+    std::string file = (fs::path(path) / name).string();
+    if (fs::exists(file, ignored)) return file;
+  }
+  throw Error("holds no trajectory: run with --trajectory xyz --every DT", {path});
 }
 
 /// The frames of a saved trajectory, one after another.
 class SavedFrames {
  public:
-  explicit SavedFrames(const std::string& path) : reader_(path), name_(display_name(path)) {}
+  explicit SavedFrames(const std::string& path) : reader_(open_trajectory(path)), name_(display_name(path)) {}
 
   /// The next frame with its system, or nothing at the end.
   std::optional<Setup> next() {
-    std::optional<Setup> frame = reader_.next();
+    std::optional<Setup> frame = reader_->next();
     if (frame) ++number_;
     return frame;
   }
@@ -45,7 +47,7 @@ class SavedFrames {
   }
 
  private:
-  XyzReader reader_;
+  std::unique_ptr<TrajectoryReader> reader_;
   std::string name_;
   std::uint64_t number_ = 0;
 };
@@ -114,7 +116,9 @@ std::vector<std::string> observables_of_frames() {
 }
 
 std::vector<Measurement> analyze(const std::string& path, const std::vector<ObserveSpec>& specs) {
-  SavedFrames frames(trajectory_in(path));
+  const std::string file = trajectory_in(path);
+  const bool knows_windings = is_hdf5_file(file);
+  SavedFrames frames(file);
   const std::optional<Setup> first = frames.next();
   if (!first) frames.refuse("there is none in this file");
   std::optional<Setup> next = frames.next();
@@ -135,7 +139,7 @@ std::vector<Measurement> analyze(const std::string& path, const std::vector<Obse
       frames.refuse(fmt::format("its time {} is not after that of the frame before, {}", next->frame.time, time));
     }
     time = next->frame.time;
-    unwinding.unwind(next->frame);
+    if (!knows_windings) unwinding.unwind(next->frame);
     set.on_frame(first->system, next->frame);
   }
   std::vector<Measurement> found = set.results();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "carom/io/checkpoint.hpp"
 #include "carom/io/output_directory.hpp"
 #include "carom/observe/observable_set.hpp"
 #include "carom/run/measurement.hpp"
@@ -17,7 +18,15 @@ namespace carom {
 class Observed {
  public:
   /// Throws Error if a name or an option is wrong, or this system does not have what is asked for.
-  Observed(const RunSettings& settings, const Setup& setup) : set_(settings.observe, {setup.system, setup.frame}) {}
+  Observed(const RunSettings& settings, const Setup& setup) : set_(settings.observe, {setup.system, setup.frame}) {
+    if (!set_.empty()) start_ = setup.frame;
+  }
+
+  /// Goes on with what a checkpoint holds. Throws Error if that is of other observables.
+  explicit Observed(const Checkpoint& checkpoint);
+
+  /// Puts into a checkpoint what that needs.
+  void keep_in(Checkpoint& checkpoint);
 
   void watch(Simulation& simulation) {
     if (!set_.empty()) simulation.add_observer(set_);
@@ -26,11 +35,9 @@ class Observed {
   /// What was found; with a directory, its files are written.
   [[nodiscard]] std::vector<Measurement> finish(const std::optional<OutputDirectory>& directory) const;
 
-  /// Sums of all observables, for checkpoints.
-  void exchange(SumsExchange sums) { set_.exchange(sums); }
-
  private:
   ObservableSet set_;
+  std::optional<Frame> start_;  // if there are observables
 };
 
 }  // namespace carom

@@ -6,77 +6,26 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <limits>
 #include <memory>
+#include <utility>
 
 #include "carom/base/error.hpp"
 #include "carom/carom/version.hpp"
-#include "carom/io/collisions_csv.hpp"
 #include "carom/io/file.hpp"
 #include "carom/io/scene_file.hpp"
 #include "carom/io/xyz.hpp"
 #include "carom/run/exhaustion.hpp"
+#include "checkpoint_keeper.hpp"
 #include "observed.hpp"
+#include "run_files.hpp"
 
 namespace carom {
 namespace {
 
+using WallClock = std::chrono::steady_clock;
+
 constexpr double kProgressPerWindow = 16;
-
-/// Writes every finished window's collisions; what a window in flight holds is added at the end.
-class CollisionLog final : public Observer {
- public:
-  explicit CollisionLog(const std::string& path) : csv_(path) {}
-
-  void on_window(const WindowRecord& window) override { csv_.append(window.collisions, window.before.clock.start); }
-
-  void finish(const Simulation& simulation) {
-    csv_.append(simulation.collisions_in_flight(), simulation.window_start().clock.start);
-    csv_.close();
-  }
-
- private:
-  CollisionsCsv csv_;
-};
-
-/// Frames at times 0, dt, 2 dt, … Those of a window that is abandoned are taken back.
-class Trajectory {
- public:
-  Trajectory(const std::string& path, double every, std::optional<double> until)
-      : stream_(path), every_(every), until_(until) {}
-
-  /// A frame that is due at the end but for rounding is due at the end.
-  [[nodiscard]] double next_time() const noexcept {
-    const double time = static_cast<double>(frames_) * every_;
-    return until_ && std::abs(time - *until_) <= 1e-9 * every_ ? *until_ : time;
-  }
-
-  void write_if_due(const Simulation& simulation) {
-    if (simulation.time() != next_time()) return;
-    const std::string frame = xyz_frame(simulation.system(), simulation.frame());
-    stream_.write(frame);
-    stream_.flush();
-    bytes_ += frame.size();
-    ++frames_;
-  }
-
-  /// What is written so far stays, whatever becomes of the next window.
-  void keep() noexcept { kept_bytes_ = bytes_; }
-
-  void finish(bool interrupted) {
-    stream_.close();
-    if (interrupted && kept_bytes_ < bytes_) std::filesystem::resize_file(stream_.path(), kept_bytes_);
-  }
-
- private:
-  OutputStream stream_;
-  double every_;
-  std::optional<double> until_;
-  std::uint64_t frames_ = 0;
-  std::uintmax_t bytes_ = 0;
-  std::uintmax_t kept_bytes_ = 0;
-};
+constexpr std::chrono::seconds kBetweenLooks(1);  // at the clock's limit and at the directory
 
 const RunPlan& checked(const RunPlan& plan) {
   const RunSettings& settings = plan.settings;
@@ -93,38 +42,81 @@ class SceneRun {
       : plan_(checked(plan)),
         scene_digest_(digest(setup.system, setup.frame)),
         observed_(plan.settings, setup),
-        log_(plan.collisions_file ? std::make_unique<CollisionLog>(*plan.collisions_file) : nullptr),
-        simulation_(prepare(std::move(setup)), plan.solver, plan.parallel) {
+        scene_(plan.directory ? to_toml({explicit_scene(setup, plan.title), plan.settings}) : std::string()),
+        simulation_(std::move(setup), plan.solver, plan.parallel) {
     simulation_.measure_from(plan.settings.equilibrate);
-    if (plan.interrupt != nullptr) simulation_.stop_when(*plan.interrupt);
-    if (log_) simulation_.add_observer(*log_);
-    observed_.watch(simulation_);
-    const RunSettings& settings = plan.settings;
-    if (plan.directory && settings.every && settings.trajectory == TrajectoryFormat::xyz) {
-      trajectory_.emplace(plan.directory->trajectory(), *settings.every, settings.until);
+    begin_files();
+    prepare();
+  }
+
+  SceneRun(Checkpoint checkpoint, const RunPlan& plan)
+      : plan_(checked(plan)),
+        scene_digest_(checkpoint.scene_digest),
+        observed_(checkpoint),
+        simulation_(std::move(checkpoint.snapshot), plan.solver, plan.parallel),
+        seconds_before_(checkpoint.wall_seconds),
+        quiet_windows_(checkpoint.quiet_windows) {
+    if (plan.settings.until && *plan.settings.until < simulation_.time()) {
+      throw Error(
+          fmt::format("cannot run to time {}: the checkpoint is at {}", *plan.settings.until, simulation_.time()));
     }
+    go_on_with_files(checkpoint.files);
+    prepare();
   }
 
   RunEnd run() {
-    if (trajectory_) {
-      trajectory_->write_if_due(simulation_);
-      trajectory_->keep();
-    }
-    while (!interrupted_ && !exhausted_ && !finished()) {
+    save_checkpoint();
+    if (frames_) frames_->write_if_due(simulation_);
+    while (!stopped() && !finished()) {
       step();
       if (plan_.progress) plan_.progress(share_done(), simulation_);
-      if (trajectory_ && !interrupted_) trajectory_->write_if_due(simulation_);
+      if (frames_ && !end_.interrupted) frames_->write_if_due(simulation_);
+      look_around();
     }
     return finish();
   }
 
  private:
-  /// Writes the scene as it is run, before anything can go wrong.
-  Setup prepare(Setup setup) const {
-    if (!plan_.directory) return setup;
-    write_file(plan_.directory->scene(), to_toml({explicit_scene(setup, plan_.title), plan_.settings}));
-    return setup;
+  [[nodiscard]] bool writes_frames() const {
+    return plan_.directory && plan_.settings.every && plan_.settings.trajectory != TrajectoryFormat::none;
   }
+
+  /// The scene is written as it is run. An older run is lost only when nothing is left that may go wrong.
+  void begin_files() {
+    if (plan_.collisions_file) prove_appendable(*plan_.collisions_file);
+    if (plan_.directory) {
+      plan_.directory->remove_old_run();
+      write_file(plan_.directory->scene(), std::exchange(scene_, {}));
+    }
+    if (plan_.collisions_file) log_ = std::make_unique<CollisionLog>(*plan_.collisions_file);
+    const RunSettings& settings = plan_.settings;
+    if (!writes_frames()) return;
+    const std::string path = plan_.directory->trajectory(settings.trajectory);
+    frames_.emplace(create_trajectory(path, settings.trajectory, simulation_.system()), *settings.every,
+                    settings.until);
+  }
+
+  void go_on_with_files(const WrittenFiles& files) {
+    if (plan_.directory) plan_.directory->remove_unfinished_files();
+    if (plan_.collisions_file) log_ = std::make_unique<CollisionLog>(*plan_.collisions_file, files.log_bytes);
+    const RunSettings& settings = plan_.settings;
+    if (!writes_frames()) return;
+    const std::string path = plan_.directory->trajectory(settings.trajectory);
+    frames_.emplace(
+        continue_trajectory(path, settings.trajectory, simulation_.system(), {files.frames, files.trajectory_bytes}),
+        *settings.every, settings.until);
+  }
+
+  void prepare() {
+    if (plan_.interrupt != nullptr) simulation_.stop_when(*plan_.interrupt);
+    if (log_) simulation_.add_observer(*log_);
+    observed_.watch(simulation_);
+    collisions_before_ = simulation_.books().collisions;
+    if (!plan_.directory) return;
+    keeper_.emplace(*plan_.directory, plan_.checkpoint_every, plan_.checkpoint_minutes, simulation_.time());
+  }
+
+  [[nodiscard]] bool stopped() const { return end_.interrupted || end_.exhausted || end_.out_of_time || untrusted_; }
 
   [[nodiscard]] bool finished() const {
     const RunSettings& settings = plan_.settings;
@@ -139,30 +131,75 @@ class SceneRun {
     const double window_end = clock.start + clock.length;
     double target = window_end;
     if (plan_.settings.until) target = std::min(target, *plan_.settings.until);
-    if (trajectory_) target = std::min(target, trajectory_->next_time());
+    if (frames_) target = std::min(target, frames_->next_time());
     // A window that is divided starts from its beginning after every stop.
     const bool steps = plan_.progress && simulation_.division().patches == 1;
     if (steps) target = std::min(target, simulation_.time() + clock.length / kProgressPerWindow);
     if (!(target > simulation_.time())) target = window_end;  // steps too short to be told apart
     if (target < window_end) {
-      interrupted_ = simulation_.run_until(target) == Simulation::Stop::interrupted;
+      end_.interrupted = simulation_.run_until(target) == Simulation::Stop::interrupted;
     } else if (window_end > kLatestTime && !plan_.settings.until) {
-      exhausted_ = true;
+      end_.exhausted = true;
     } else {
       run_window();
     }
   }
 
   void run_window() {
-    interrupted_ = simulation_.run_window() == Simulation::Stop::interrupted;
-    if (interrupted_) return;
-    if (trajectory_) trajectory_->keep();
+    end_.interrupted = simulation_.run_window() == Simulation::Stop::interrupted;
+    if (end_.interrupted) return;
+    if (frames_) frames_->keep();
+    look_for_collisions();
+    untrusted_ = !violations_at_window_start(simulation_).empty();
+    if (keeper_ && keeper_->due(simulation_.time())) save_checkpoint();
+  }
+
+  /// Whether any are left is a costly question, asked ever more rarely.
+  void look_for_collisions() {
     const bool quiet = simulation_.books().collisions == collisions_before_;
     collisions_before_ = simulation_.books().collisions;
     quiet_windows_ = quiet ? quiet_windows_ + 1 : 0;
-    if (plan_.settings.until || !std::has_single_bit(quiet_windows_))
-      return;  // a costly question, asked ever more rarely
-    exhausted_ = collisions_are_over(simulation_.system(), simulation_.window_start().disks);
+    if (plan_.settings.until || !std::has_single_bit(quiet_windows_)) return;
+    end_.exhausted = collisions_are_over(simulation_.system(), simulation_.window_start().disks);
+  }
+
+  void look_around() {
+    const WallClock::time_point now = WallClock::now();
+    if (plan_.max_minutes && now - start_ >= std::chrono::duration<double>(60 * *plan_.max_minutes)) {
+      end_.out_of_time = !finished();
+    }
+    if (!plan_.directory || now - last_look_ < kBetweenLooks) return;
+    last_look_ = now;
+    plan_.directory->require_still_there();
+  }
+
+  [[nodiscard]] double seconds_spent() const {
+    return seconds_before_ + std::chrono::duration<double>(WallClock::now() - start_).count();
+  }
+
+  /// The state at the start of the window in flight. Files that it speaks of are on the disk before it is.
+  void save_checkpoint() {
+    if (!keeper_) return;
+    Checkpoint checkpoint{.snapshot = simulation_.snapshot(),
+                          .settings = plan_.settings,
+                          .title = plan_.title,
+                          .scene_digest = scene_digest_,
+                          .files = {},
+                          .quiet_windows = quiet_windows_,
+                          .wall_seconds = seconds_spent(),
+                          .sums = {}};
+    observed_.keep_in(checkpoint);
+    if (log_) {
+      log_->sync();
+      checkpoint.files.log = plan_.directory->name_within(*plan_.collisions_file);
+      checkpoint.files.log_bytes = log_->kept();
+    }
+    if (frames_) {
+      frames_->sync();
+      checkpoint.files.frames = frames_->kept().frames;
+      checkpoint.files.trajectory_bytes = frames_->kept().bytes;
+    }
+    keeper_->save(checkpoint);
   }
 
   [[nodiscard]] double share_done() const {
@@ -176,41 +213,55 @@ class SceneRun {
     return share;
   }
 
+  [[nodiscard]] Ended reason() const {
+    if (end_.interrupted) return Ended::interrupted;
+    if (untrusted_) return Ended::untrusted;
+    if (end_.exhausted) return Ended::exhausted;
+    if (end_.out_of_time) return Ended::out_of_time;
+    return plan_.settings.until && simulation_.time() >= *plan_.settings.until ? Ended::time : Ended::collisions;
+  }
+
   RunEnd finish() {
-    RunEnd end;
-    end.interrupted = interrupted_;
-    end.exhausted = exhausted_;
-    end.record.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    end.record.summary = summarize(simulation_);
-    end.record.scene_digest = scene_digest_;
-    end.record.version = version();
-    end.record.compiler = compiler();
-    end.record.command = plan_.command;
-    end.record.observables = observed_.finish(plan_.directory);
+    save_checkpoint();
+    end_.record.wall_seconds = seconds_spent();
+    end_.record.summary = summarize(simulation_);
+    end_.record.scene_digest = scene_digest_;
+    end_.record.ended = reason();
+    end_.record.version = version();
+    end_.record.compiler = compiler();
+    end_.record.command = plan_.command;
+    end_.record.observables = observed_.finish(plan_.directory);
     if (log_) log_->finish(simulation_);
-    if (trajectory_) trajectory_->finish(interrupted_);
+    if (frames_) frames_->finish(end_.interrupted);
     if (plan_.directory) {
+      plan_.directory->require_still_there();
       write_file(plan_.directory->final_frame(), xyz_frame(simulation_.system(), simulation_.frame()));
-      write_file(plan_.directory->report(), report_json(end.record));
+      write_file(plan_.directory->report(), report_json(end_.record));
     }
-    return end;
+    return std::move(end_);
   }
 
   const RunPlan& plan_;
   std::string scene_digest_;
   Observed observed_;
-  std::unique_ptr<CollisionLog> log_;  // opened before scene.toml is written, so that a bad name leaves nothing behind
+  std::string scene_;  // as TOML, until it is written
+  std::unique_ptr<CollisionLog> log_;
   Simulation simulation_;
-  std::optional<Trajectory> trajectory_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::optional<FrameSchedule> frames_;
+  std::optional<CheckpointKeeper> keeper_;
+  WallClock::time_point start_ = WallClock::now();
+  WallClock::time_point last_look_ = start_;
+  double seconds_before_ = 0;  // spent before the run was resumed
   std::uint64_t collisions_before_ = 0;
   std::uint64_t quiet_windows_ = 0;
-  bool interrupted_ = false;
-  bool exhausted_ = false;
+  bool untrusted_ = false;
+  RunEnd end_;
 };
 
 }  // namespace
 
 RunEnd run_scene(Setup setup, const RunPlan& plan) { return SceneRun(std::move(setup), plan).run(); }
+
+RunEnd resume_run(Checkpoint checkpoint, const RunPlan& plan) { return SceneRun(std::move(checkpoint), plan).run(); }
 
 }  // namespace carom

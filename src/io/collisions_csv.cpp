@@ -2,11 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <iterator>
+#include <string_view>
+
+#include "carom/base/error.hpp"
 
 namespace carom {
+namespace {
 
-CollisionsCsv::CollisionsCsv(const std::string& path) : stream_(path) { stream_.write("time,i,j,x,y,nx,ny,impulse\n"); }
+constexpr std::string_view kHead = "time,i,j,x,y,nx,ny,impulse\n";
+
+/// What is no log must not be shortened.
+const std::string& checked(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kHead.size(), '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (!file && !file.eof()) throw Error("cannot be read", {path});
+  if (head != kHead) throw Error("is not a log of collisions", {path});
+  return path;
+}
+
+}  // namespace
+
+CollisionsCsv::CollisionsCsv(const std::string& path) : stream_(path) { stream_.write(kHead); }
+CollisionsCsv::CollisionsCsv(const std::string& path, std::uint64_t kept) : stream_(checked(path), kept) {}
 
 void CollisionsCsv::append(std::span<const Collision> collisions, double window_start) {
   fmt::memory_buffer rows;

@@ -93,16 +93,33 @@ class Replacement {
   Replacement(const Replacement&) = delete;
   Replacement& operator=(const Replacement&) = delete;
 
-  [[nodiscard]] bool take_place(std::string_view text, const struct stat* old) {
+  /// False with errno set if it cannot take the target's place, which then stays as it was. The old file is kept as
+  /// `previous` unless that is empty.
+  [[nodiscard]] bool take_place(std::string_view text, const struct stat* old, const std::string& previous) {
     if (descriptor_ < 0) return false;
     Descriptor file(descriptor_);
     if (old != nullptr && ::fchmod(file.number(), old->st_mode & 0777) != 0) return false;
     if (!write_all(file.number(), text) || ::fsync(file.number()) != 0 || !file.close()) return false;
+    if (old != nullptr && !previous.empty() && ::rename(target_.c_str(), previous.c_str()) != 0) return false;
     in_place_ = ::rename(path_.c_str(), target_.c_str()) == 0;
-    return in_place_;
+    if (!in_place_ && old != nullptr && !previous.empty()) take_back(previous);
+    return in_place_ && sync_directory();
   }
 
  private:
+  void take_back(const std::string& previous) const noexcept {
+    const int reason = errno;
+    ::rename(previous.c_str(), target_.c_str());
+    errno = reason;
+  }
+
+  /// So that the new name is on the disk, too. File systems that cannot do it are taken at their word.
+  [[nodiscard]] bool sync_directory() const {
+    const std::string directory = std::filesystem::path(target_).parent_path().string();
+    const Descriptor entry(::open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    return entry.number() < 0 || ::fsync(entry.number()) == 0 || errno == EINVAL;
+  }
+
   std::string target_;
   std::string path_;
   int descriptor_ = -1;
@@ -120,14 +137,21 @@ std::string read_file(const std::string& path) {
   return read_all(file.number(), path);
 }
 
-void write_file(const std::string& path, std::string_view text) {
+void write_file(const std::string& path, std::string_view text) { write_file(path, text, {}); }
+
+void write_file(const std::string& path, std::string_view text, const std::string& previous) {
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
   if (exists && !S_ISREG(old.st_mode)) return write_directly(path, text);
   std::error_code none;
   const std::filesystem::path followed = std::filesystem::canonical(path, none);  // through links to the file itself
   Replacement replacement(exists ? followed.string() : path);
-  if (!replacement.take_place(text, exists ? &old : nullptr)) fail(path, "cannot be written");
+  if (!replacement.take_place(text, exists ? &old : nullptr, previous)) fail(path, "cannot be written");
+}
+
+void prove_appendable(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  if (file.number() < 0) fail(path, "cannot be written");
 }
 
 OutputStream::OutputStream(std::string path) : path_(std::move(path)) {
@@ -135,9 +159,28 @@ OutputStream::OutputStream(std::string path) : path_(std::move(path)) {
   if (descriptor_ < 0) fail(path_, "cannot be written");
 }
 
+OutputStream::OutputStream(std::string path, std::uint64_t kept) : path_(std::move(path)), size_(kept) {
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor_ < 0) fail(path_, "cannot be written");
+  try {
+    struct stat about {};
+    if (::fstat(descriptor_, &about) != 0) fail(path_, "cannot be read");
+    if (static_cast<std::uint64_t>(about.st_size) < kept) {
+      throw Error("is shorter than it was: " + std::to_string(about.st_size) + " bytes, of which " +
+                      std::to_string(kept) + " should stay",
+                  {path_});
+    }
+    cut_to(kept);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
 OutputStream::OutputStream(OutputStream&& other) noexcept
     : path_(std::move(other.path_)),
       waiting_(std::move(other.waiting_)),
+      size_(other.size_),
       descriptor_(std::exchange(other.descriptor_, -1)) {
   other.waiting_.clear();
 }
@@ -150,12 +193,27 @@ OutputStream::~OutputStream() {
 
 void OutputStream::write(std::string_view bytes) {
   waiting_ += bytes;
+  size_ += bytes.size();
   if (waiting_.size() >= kPiece) flush();
 }
 
 void OutputStream::flush() {
   const std::string bytes = std::exchange(waiting_, {});
   if (!write_all(descriptor_, bytes)) fail(path_, "cannot be written");
+}
+
+void OutputStream::cut_to(std::uint64_t size) {
+  flush();
+  const auto end = static_cast<off_t>(size);
+  if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) != end) {
+    fail(path_, "cannot be written");
+  }
+  size_ = size;
+}
+
+void OutputStream::sync() {
+  flush();
+  if (::fdatasync(descriptor_) != 0 && errno != EINVAL) fail(path_, "cannot be written");  // pipes: EINVAL
 }
 
 void OutputStream::close() {

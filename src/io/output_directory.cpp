@@ -1,5 +1,11 @@
 #include "carom/io/output_directory.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -13,9 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kTrial = ".carom-trial";
+
+/// Files are written under such a name first.
+bool is_unfinished(const std::string& name) { return name.find(".new-") != std::string::npos; }
+
 bool belongs_to_a_run(const std::string& name) {
-  for (const char* const known : {"report.json", "scene.toml", "final.xyz", "collisions.csv", "checkpoint.h5"}) {
-    if (name == known) return true;
+  const std::string finished = name.substr(0, name.find(".new-"));
+  for (const char* const known : {"report.json", "scene.toml", "final.xyz", "collisions.csv", "checkpoint.h5",
+                                  "checkpoint-1.h5", "trajectory.xyz", "trajectory.h5md", kTrial}) {
+    if (finished == known) return true;
   }
   return name.starts_with("trajectory.");
 }
@@ -73,23 +86,86 @@ void prove_writable(const std::string& directory, const std::string& trial) {
   fs::remove(trial, ignored);
 }
 
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw Error("cannot be removed: " + error.message(), {file.string()});
+}
+
 }  // namespace
+
+/// An open directory on which nobody else holds a lock. Where the file system knows no locks there is none.
+class OutputDirectory::Lock {
+ public:
+  explicit Lock(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    ::close(descriptor_);
+    throw Error("another run is writing here", {path});
+  }
+  ~Lock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+  /// Whether `path` still names the directory that was locked.
+  [[nodiscard]] bool is_at(const std::string& path) const noexcept {
+    struct stat locked {};
+    struct stat found {};
+    if (descriptor_ < 0 || ::fstat(descriptor_, &locked) != 0) return true;
+    return ::stat(path.c_str(), &found) == 0 && locked.st_dev == found.st_dev && locked.st_ino == found.st_ino;
+  }
+
+ private:
+  int descriptor_;
+};
 
 OutputDirectory::OutputDirectory(std::string path, bool overwrite) : path_(std::move(path)) {
   create(path_);
-  const std::vector<fs::path> old = files_of_a_run(path_);
-  if (!old.empty() && !overwrite) {
-    throw Error("holds a run already (" + old.front().filename().string() + "): choose another or overwrite it",
-                {path_});
+  if (!overwrite) {
+    std::vector<fs::path> old = files_of_a_run(path_);
+    std::erase_if(old, [](const fs::path& file) { return is_unfinished(file.filename().string()); });
+    if (!old.empty()) {
+      throw Error("holds a run already (" + old.front().filename().string() + "): choose another or overwrite it",
+                  {path_});
+    }
   }
-  prove_writable(path_, in(".carom-trial"));
-  for (const fs::path& file : old) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error) throw Error("cannot be removed: " + error.message(), {file.string()});
+  lock_and_prove_writable();
+}
+
+OutputDirectory OutputDirectory::of_run(std::string path) {
+  OutputDirectory directory;
+  directory.path_ = std::move(path);
+  directory.lock_and_prove_writable();
+  return directory;
+}
+
+void OutputDirectory::lock_and_prove_writable() {
+  lock_ = std::make_shared<const Lock>(path_);
+  prove_writable(path_, in(kTrial));
+}
+
+void OutputDirectory::remove_old_run() const {
+  for (const fs::path& file : files_of_a_run(path_)) remove_file(file);
+}
+
+void OutputDirectory::remove_unfinished_files() const {
+  for (const fs::path& file : files_of_a_run(path_)) {
+    if (is_unfinished(file.filename().string())) remove_file(file);
   }
 }
 
+void OutputDirectory::require_still_there() const {
+  if (!lock_->is_at(path_)) throw Error("was deleted or replaced while the run was writing there", {path_});
+}
+
 std::string OutputDirectory::in(std::string_view name) const { return (fs::path(path_) / name).string(); }
+
+std::string OutputDirectory::name_within(const std::string& path) const {
+  std::error_code error;
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+  const bool within = fs::equivalent(folder, path_, error) && !error;
+  return within ? fs::path(path).filename().string() : path;
+}
 
 }  // namespace carom

@@ -88,6 +88,18 @@ void certify(const RunRecord& record, Lines& lines) {
 
 }  // namespace
 
+std::string_view name_of(Ended ended) noexcept {
+  switch (ended) {
+    case Ended::time: return "time";
+    case Ended::collisions: return "collisions";
+    case Ended::exhausted: return "exhausted";
+    case Ended::interrupted: return "interrupted";
+    case Ended::out_of_time: return "max_minutes";
+    case Ended::untrusted: return "untrusted";
+  }
+  return "";
+}
+
 std::string report_json(const RunRecord& record) {
   const Summary& summary = record.summary;
   nlohmann::ordered_json report{
@@ -116,6 +128,7 @@ std::string report_json(const RunRecord& record) {
       {"version", record.version},
       {"command", record.command},
       {"compiler", record.compiler},
+      {"ended", name_of(record.ended)},
       {"patches_repaired", summary.patches_repaired},
       {"duplicated_work", number_or_null(summary.duplicated_work)},
       {"phase_seconds",

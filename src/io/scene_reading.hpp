@@ -28,6 +28,9 @@ ReadScene read_xyz(std::string_view text, const std::string& name);
 /// Reads in the format that name and content tell.
 ReadScene read_any(std::string_view text, const std::string& name);
 
+/// The same for a file.
+ReadScene read_path(const std::string& path);
+
 /// What keeps the sound parts of a scene from being simulated, without repeating what the reader found.
 std::vector<Problem> scene_problems(const ReadScene& read);
 

@@ -125,13 +125,9 @@ class TomlReader {
   }
 
   void read_trajectory(TomlSection& section) {
-    const toml::node* node = section.find("trajectory");
-    if (node != nullptr && node->value_exact<std::string_view>() == "h5md") {
-      section.complain(*node, "trajectory is \"h5md\": this version writes \"xyz\" only");
-      return;
-    }
     assign(read_.file.run.trajectory,
            section.choice("trajectory", TomlSection::Names<TrajectoryFormat>{{"xyz", TrajectoryFormat::xyz},
+                                                                             {"h5md", TrajectoryFormat::h5md},
                                                                              {"none", TrajectoryFormat::none}}));
   }
 

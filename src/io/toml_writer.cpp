@@ -97,6 +97,7 @@ class TomlWriter {
     if (run.equilibrate != 0) key("equilibrate", run.equilibrate);
     key("every", run.every);
     if (run.trajectory == TrajectoryFormat::xyz) append("trajectory = \"xyz\"\n");
+    if (run.trajectory == TrajectoryFormat::h5md) append("trajectory = \"h5md\"\n");
     for (const ObserveSpec& spec : run.observe) write_observe(spec);
   }
 

@@ -27,8 +27,10 @@ struct XyzFrames::Row {
 bool XyzFrames::next_line() {
   if (!std::getline(input_, text_)) {
     if (input_.bad()) throw Error("cannot be read to its end", {name_, line_, 0});
+    ended_ = true;
     return false;
   }
+  ended_ = input_.eof();
   ++line_;
   return true;
 }
@@ -84,7 +86,28 @@ XyzFrames::Row XyzFrames::read_row(const XyzColumns& columns, ProblemList& probl
   return row;
 }
 
+/// Whatever is wrong with a frame in which the file ends, it may be that it was cut off there.
 std::optional<XyzFrame> XyzFrames::next() {
+  try {
+    return read_frame();
+  } catch (const Error&) {
+    cut_off_ = may_be_cut_off_ && ended_;
+    if (!cut_off_) throw;
+    return std::nullopt;
+  }
+}
+
+std::optional<XyzFrames::Skipped> XyzFrames::skip() {
+  try {
+    return skip_frame();
+  } catch (const Error&) {
+    cut_off_ = may_be_cut_off_ && ended_;
+    if (!cut_off_) throw;
+    return std::nullopt;
+  }
+}
+
+std::optional<XyzFrame> XyzFrames::read_frame() {
   const std::optional<std::size_t> count = read_count();
   if (!count) return std::nullopt;
   ProblemList problems(name_, kMostProblems);
@@ -116,7 +139,7 @@ std::optional<XyzFrame> XyzFrames::next() {
   return frame;
 }
 
-std::optional<XyzFrames::Skipped> XyzFrames::skip() {
+std::optional<XyzFrames::Skipped> XyzFrames::skip_frame() {
   const std::optional<std::size_t> count = read_count();
   if (!count) return std::nullopt;
   Skipped skipped{.disks = *count, .time = 0, .line = line_};

@@ -36,11 +36,17 @@ class XyzFrames {
   };
   std::optional<Skipped> skip();
 
+  /// From now on next() and skip() return nothing where the file ends in the middle of a frame, and cut_off() is true.
+  void allow_cut_off() noexcept { may_be_cut_off_ = true; }
+  [[nodiscard]] bool cut_off() const noexcept { return cut_off_; }
+
   /// Starts again at the frame whose number of disks stands on this line, and where the stream is set to.
   void restart_at(int line) noexcept { line_ = line - 1; }
 
  private:
   struct Row;
+  std::optional<XyzFrame> read_frame();
+  std::optional<Skipped> skip_frame();
   bool next_line();
   std::optional<std::size_t> read_count();
   XyzComment read_comment(ProblemList& problems);
@@ -53,6 +59,9 @@ class XyzFrames {
   std::string text_;  // the current line
   std::vector<Word> words_;
   int line_ = 0;
+  bool ended_ = false;  // the last line was asked for in vain, or has no line feed
+  bool may_be_cut_off_ = false;
+  bool cut_off_ = false;
 };
 
 }  // namespace carom::io

@@ -62,6 +62,9 @@ std::optional<Setup> XyzReader::next() {
   return std::move(frame->setup);
 }
 
+void XyzReader::allow_cut_off() { source_->frames().allow_cut_off(); }
+bool XyzReader::cut_off() const noexcept { return source_->frames().cut_off(); }
+
 std::optional<XyzReader::Header> XyzReader::skip() {
   const auto skipped = source_->frames().skip();
   if (!skipped) return std::nullopt;

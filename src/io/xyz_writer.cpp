@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <string_view>
 
 #include "carom/io/xyz.hpp"
 #include "numbers.hpp"
@@ -11,14 +13,18 @@ namespace {
 
 using Buffer = fmt::memory_buffer;
 
-/// A, B, … Z, AA, AB, …: what OVITO shows as particle types.
-std::string species_name(std::size_t index) {
-  std::string name;
-  for (std::size_t rest = index + 1; rest > 0; rest = (rest - 1) / 26) {
-    name.insert(name.begin(), static_cast<char>('A' + (rest - 1) % 26));
-  }
-  return name;
-}
+/// Programs for molecules, ASE among them, take chemical elements only.
+constexpr auto kSymbols = std::to_array<std::string_view>(
+    {"H",  "He", "Li", "Be", "B",  "C",  "N",  "O",  "F",  "Ne", "Na", "Mg", "Al", "Si", "P",  "S",  "Cl",
+     "Ar", "K",  "Ca", "Sc", "Ti", "V",  "Cr", "Mn", "Fe", "Co", "Ni", "Cu", "Zn", "Ga", "Ge", "As", "Se",
+     "Br", "Kr", "Rb", "Sr", "Y",  "Zr", "Nb", "Mo", "Tc", "Ru", "Rh", "Pd", "Ag", "Cd", "In", "Sn", "Sb",
+     "Te", "I",  "Xe", "Cs", "Ba", "La", "Ce", "Pr", "Nd", "Pm", "Sm", "Eu", "Gd", "Tb", "Dy", "Ho", "Er",
+     "Tm", "Yb", "Lu", "Hf", "Ta", "W",  "Re", "Os", "Ir", "Pt", "Au", "Hg", "Tl", "Pb", "Bi", "Po", "At",
+     "Rn", "Fr", "Ra", "Ac", "Th", "Pa", "U",  "Np", "Pu", "Am", "Cm", "Bk", "Cf", "Es", "Fm", "Md", "No",
+     "Lr", "Rf", "Db", "Sg", "Bh", "Hs", "Mt", "Ds", "Rg", "Cn", "Nh", "Fl", "Mc", "Lv", "Ts", "Og"});
+
+/// A symbol for each of the first 118 kinds; "X", no element, for all others.
+std::string species_name(std::size_t index) { return std::string(index < kSymbols.size() ? kSymbols[index] : "X"); }
 
 /// A stretch along one axis.
 struct Stretch {

@@ -21,6 +21,12 @@ void throw_if_invalid(const Setup& setup) {
   if (!problems.empty()) throw Error(problems);
 }
 
+void throw_if_invalid(const Snapshot& snapshot) {
+  std::vector<Problem> problems;
+  for (const std::string& fault : faults_of(snapshot)) problems.push_back({fault, {}});
+  if (!problems.empty()) throw Error(problems);
+}
+
 }  // namespace
 
 Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelOptions& parallel)
@@ -33,6 +39,22 @@ Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelO
   state_.clock.length = first_window_length(system_, state_);
   initial_ = {kinetic_energy(system_, state_.disks), momentum(system_, state_.disks),
               momentum_scale(system_, state_.disks)};
+  choose_solver(solver, parallel);
+}
+
+Simulation::Simulation(Snapshot snapshot, const SolverOptions& solver, const ParallelOptions& parallel)
+    : books_(0), books_at_start_(0), interrupt_(&kNeverInterrupted) {
+  throw_if_invalid(snapshot);
+  system_ = std::move(snapshot.system);
+  state_ = std::move(snapshot.state);
+  books_ = std::move(snapshot.books);
+  measured_ = snapshot.measured;
+  initial_ = snapshot.initial;
+  measure_from_ = snapshot.measure_from;
+  choose_solver(solver, parallel);
+}
+
+void Simulation::choose_solver(const SolverOptions& solver, const ParallelOptions& parallel) {
   const ParallelOptions chosen = divided(system_, state_, solver, parallel);
   if ((*chosen.patches)[0] * (*chosen.patches)[1] > 1) {
     auto divided = make_patched_solver(system_, solver, chosen);
@@ -76,6 +98,10 @@ Frame Simulation::frame() const {
   }
   frame.time = time();
   return frame;
+}
+
+Snapshot Simulation::snapshot() const {
+  return {system_, state_, open_ ? books_at_start_ : books_, measured_, initial_, measure_from_};
 }
 
 std::vector<Collision> Simulation::collisions_in_flight() const {

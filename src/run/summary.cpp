@@ -118,4 +118,17 @@ std::vector<std::string> violations(const Summary& summary) {
   return found;
 }
 
+std::vector<std::string> violations_at_window_start(const Simulation& simulation) {
+  Summary summary;
+  const Books& books = simulation.books();
+  summary.elastic = simulation.system().physics.elastic();
+  summary.max_overlap = books.largest_overlap;
+  const double before = simulation.initial().energy;
+  if (summary.elastic && before > 0) {
+    summary.energy_drift = (kinetic_energy(simulation.system(), simulation.window_start().disks) - before) / before;
+    summary.busiest_disk_events = *std::max_element(books.events_of.begin(), books.events_of.end());
+  }
+  return violations(summary);
+}
+
 }  // namespace carom

@@ -228,7 +228,7 @@ class Files(RunTest):
     def test_directory_holds_the_run(self):
         report = self.json_of("run", self.gas(), "--until", 1.5, "--out", "some/where")
         self.assertEqual(sorted(p.name for p in self.path("some/where").iterdir()),
-                         ["final.xyz", "report.json", "scene.toml"])
+                         ["checkpoint-1.h5", "checkpoint.h5", "final.xyz", "report.json", "scene.toml"])
         self.assertEqual(json.loads(self.read("some/where/report.json")), report)
         ((end, rows),) = self.frames("some/where/final.xyz")
         self.assertEqual((end, len(rows)), (1.5, 100))

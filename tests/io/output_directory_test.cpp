@@ -36,6 +36,8 @@ TEST(OutputDirectory, OverwritingRemovesTheOldRunAndLeavesOtherFiles) {
   write_file(scratch / "trajectory.xyz", "old");
   write_file(scratch / "notes.txt", "mine");
   const OutputDirectory directory(scratch.path(), true);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "trajectory.xyz"));  // until the new run is sure to start
+  directory.remove_old_run();
   EXPECT_FALSE(std::filesystem::exists(scratch / "trajectory.xyz"));
   EXPECT_EQ(read_file(scratch / "notes.txt"), "mine");
 }

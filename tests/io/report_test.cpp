@@ -39,11 +39,12 @@ TEST(ReportJson, HasThePromisedKeysInOrder) {
   const auto report = nlohmann::ordered_json::parse(report_json(any_record()));
   std::string keys;
   for (const auto& [key, value] : report.items()) keys += key + ' ';
-  EXPECT_EQ(keys,
-            "disks packing_fraction time collisions wall_collisions wall_seconds collisions_per_second threads patches "
-            "solver simd windows windows_repaired ties collapses max_overlap energy_drift momentum_drift temperature "
-            "pressure digest scene_digest version command compiler patches_repaired duplicated_work phase_seconds "
-            "observables ");
+  EXPECT_EQ(
+      keys,
+      "disks packing_fraction time collisions wall_collisions wall_seconds collisions_per_second threads patches "
+      "solver simd windows windows_repaired ties collapses max_overlap energy_drift momentum_drift temperature "
+      "pressure digest scene_digest version command compiler ended patches_repaired duplicated_work phase_seconds "
+      "observables ");
 }
 
 TEST(ReportJson, NumbersReadBackAndWhatIsAbsentIsNull) {

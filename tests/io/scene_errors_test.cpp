@@ -82,8 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "s.toml:6:14: collisions must be a whole number, e.g. 1000, not a decimal number"},
         BadInput{"ZeroCollisions", SIZED DISK "[run]\ncollisions = 0",
                  "s.toml:6:14: collisions is 0: it must be 1 or more"},
-        BadInput{"OtherTrajectory", SIZED DISK "[run]\ntrajectory = \"h5md\"",
-                 "s.toml:6:14: trajectory is \"h5md\": this version writes \"xyz\" only"},
+        BadInput{"OtherTrajectory", SIZED DISK "[run]\ntrajectory = \"mp4\"",
+                 "s.toml:6:14: trajectory is \"mp4\": it must be one of \"xyz\", \"h5md\", \"none\""},
         BadInput{"ZeroCount", SIZED "[[gas]]\ncount = 0", "s.toml:4:9: count is 0: it must be 1 or more"},
         BadInput{"NegativePackingFraction", SIZED "[[gas]]\npacking_fraction = -0.5",
                  "s.toml:4:20: packing_fraction is -0.5: it must be greater than 0"},
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Texts, BrokenText,
                                                   "\x7f"
                                                   "ELF\x02\x01\x01",
                                                   "s.toml:1:"},
-                                         BadInput{"Hdf5", "\x89HDF\r\n\x1a\n", "s.toml: this is an HDF5 file"}),
+                                         BadInput{"Hdf5", "\x89HDF\r\n\x1a\n", "s.toml: is not a sound HDF5 file"}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BrokenText, ANulByteIsNotText) {

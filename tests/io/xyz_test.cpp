@@ -34,8 +34,8 @@ TEST(XyzFrame, IsTheTextThatOvitoReads) {
             "Lattice=\"10 0.0 0.0 0.0 20 0.0 0.0 0.0 1\" "
             "Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1 Time=1.5 pbc=\"T F F\" "
             "boundary=\"periodic reflecting\"\n"
-            "A 1 2 0 0.10000000000000001 -0 0 0.5 1 0\n"
-            "B 3 4 0 0 1e-300 0 0.25 3 1\n");
+            "H 1 2 0 0.10000000000000001 -0 0 0.5 1 0\n"
+            "He 3 4 0 0 1e-300 0 0.25 3 1\n");
 }
 
 TEST(XyzFrame, AnOpenPlaneIsAsLargeAsWhatTheDisksCover) {
@@ -47,17 +47,18 @@ TEST(XyzFrame, AnOpenPlaneIsAsLargeAsWhatTheDisksCover) {
   EXPECT_NE(text.find("pbc=\"F F F\" boundary=\"open open\" box=\"0 0\""), std::string::npos) << text;
 }
 
-TEST(XyzFrame, SpeciesAreNamedByLettersWithoutEnd) {
+TEST(XyzFrame, SpeciesAreNamedAsElementsWhileThereAreAny) {
   carom::Setup setup;
   setup.system.box.size = {100, 100};
-  for (int k = 0; k < 28; ++k) {
+  for (int k = 0; k < 120; ++k) {
     setup.system.add_disk({0.1, 1.0 + k});
     setup.frame.add_disk({1.0 + k, 1}, {});
   }
   const std::string text = xyz_frame(setup.system, setup.frame);
-  EXPECT_NE(text.find("\nZ 26 "), std::string::npos);
-  EXPECT_NE(text.find("\nAA 27 "), std::string::npos);
-  EXPECT_NE(text.find("\nAB 28 "), std::string::npos);
+  EXPECT_NE(text.find("\nLi 3 "), std::string::npos);
+  EXPECT_NE(text.find("\nOg 118 "), std::string::npos);
+  EXPECT_NE(text.find("\nX 119 "), std::string::npos);
+  EXPECT_NE(text.find("\nX 120 "), std::string::npos);
 }
 
 /// Any double that a system may hold: up to 1e75.

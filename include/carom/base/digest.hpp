@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace carom {
 
@@ -27,5 +28,8 @@ class Digest {
   struct Hash;
   std::unique_ptr<Hash> hash_;
 };
+
+/// XXH3 (64 bit) of some bytes, as 16 hexadecimal digits.
+std::string digest_of_bytes(std::string_view bytes);
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 // Text in and out of files, such that no failure goes unnoticed and no file is left half-written.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,11 +19,20 @@ std::string read_file(const std::string& path);
 /// SIGPIPE, so that a full quota or a closed pipe arrives here as an Error with the path and the system's reason.
 void write_file(const std::string& path, std::string_view text);
 
-/// A file that grows while a run goes on. Starts empty; bytes are gathered in memory and written in large pieces.
+/// The same, and what was there before is kept as `previous`, a name in the same directory. At every moment one of the
+/// two is whole.
+void write_file(const std::string& path, std::string_view text, const std::string& previous);
+
+/// Throws Error if the file cannot be opened for writing. Creates it if it is not there, changes nothing in it.
+void prove_appendable(const std::string& path);
+
+/// A file that grows while a run goes on; bytes are gathered in memory and written in large pieces.
 class OutputStream {
  public:
   /// Creates the file or empties it. Throws Error if that fails.
   explicit OutputStream(std::string path);
+  /// Goes on with a file whose first `kept` bytes stay; what follows them is cut off. Throws Error if it has fewer.
+  OutputStream(std::string path, std::uint64_t kept);
   /// Writes what is left but cannot report a failure: call close() before.
   ~OutputStream();
   OutputStream(OutputStream&& other) noexcept;
@@ -31,13 +41,20 @@ class OutputStream {
   /// These throw Error with the path and the reason if bytes cannot be written.
   void write(std::string_view bytes);
   void flush();
+  /// Flushes, and returns when the bytes are safe on the disk.
+  void sync();
   void close();
+  /// Removes what was written after the file was this long.
+  void cut_to(std::uint64_t size);
 
+  /// How long the file is with all that was written, flushed or not.
+  [[nodiscard]] std::uint64_t size() const noexcept { return size_; }
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
  private:
   std::string path_;
   std::string waiting_;  // bytes not yet handed to the system
+  std::uint64_t size_ = 0;
   int descriptor_ = -1;
 };
 

@@ -1,29 +1,54 @@
 // Where a run keeps its files.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
+#include "carom/run/settings.hpp"
+
 namespace carom {
 
-/// A directory for one run's files. Made ready before the run begins, so that a run's work is not lost at its end.
+/// A directory for one run's files. Made ready before the run begins, so that a run's work is not lost at its end, and
+/// locked against other runs as long as it or a copy of it lives.
 class OutputDirectory {
  public:
-  /// Creates the directory and its parents. Throws Error if it cannot be created or written to, or if it holds a run
-  /// already; with `overwrite` that run's files are removed.
+  /// Creates the directory and its parents. Throws Error if it cannot be created or written to, if another run is
+  /// writing there, or if it holds a run already. With `overwrite` that run's files may stay until remove_old_run().
   explicit OutputDirectory(std::string path, bool overwrite = false);
+
+  /// The directory of a run that is to go on. Throws Error if it cannot be written to or another run is writing there.
+  static OutputDirectory of_run(std::string path);
+
+  /// Removes what an earlier run has left: to be called when the new one is sure to start.
+  void remove_old_run() const;
+  /// Removes what a run that was killed has left half-written.
+  void remove_unfinished_files() const;
+  /// Throws Error if the directory was deleted or has another in its place.
+  void require_still_there() const;
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   [[nodiscard]] std::string report() const { return in("report.json"); }
   [[nodiscard]] std::string scene() const { return in("scene.toml"); }
   [[nodiscard]] std::string final_frame() const { return in("final.xyz"); }
-  [[nodiscard]] std::string trajectory() const { return in("trajectory.xyz"); }
+  [[nodiscard]] std::string checkpoint() const { return in("checkpoint.h5"); }
+  /// The checkpoint before that one.
+  [[nodiscard]] std::string previous_checkpoint() const { return in("checkpoint-1.h5"); }
+  [[nodiscard]] std::string trajectory(TrajectoryFormat format = TrajectoryFormat::xyz) const {
+    return in(format == TrajectoryFormat::h5md ? "trajectory.h5md" : "trajectory.xyz");
+  }
   [[nodiscard]] std::string observables() const { return in("observables"); }  ///< a directory of its own
+  [[nodiscard]] std::string in(std::string_view name) const;
+  /// The name of a file that lies in this directory, else the path as it was given.
+  [[nodiscard]] std::string name_within(const std::string& path) const;
 
  private:
-  [[nodiscard]] std::string in(std::string_view name) const;
+  class Lock;
+  OutputDirectory() = default;
+  void lock_and_prove_writable();
 
   std::string path_;
+  std::shared_ptr<const Lock> lock_;
 };
 
 }  // namespace carom

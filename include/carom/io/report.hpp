@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "carom/run/measurement.hpp"
@@ -9,10 +10,23 @@
 
 namespace carom {
 
+/// Why a run ended.
+enum class Ended {
+  time,         ///< it reached the time asked for
+  collisions,   ///< or the number of collisions
+  exhausted,    ///< no two disks meet any more
+  interrupted,  ///< by a signal
+  out_of_time,  ///< by the clock
+  untrusted     ///< its certificate does not hold
+};
+
+std::string_view name_of(Ended ended) noexcept;
+
 /// A summary and what only the program that ran it knows.
 struct RunRecord {
   Summary summary;
   double wall_seconds = 0;
+  Ended ended = Ended::time;
   std::string scene_digest;  ///< digest(system, frame) at the start
   std::string version;
   std::string command;   ///< as typed

@@ -19,7 +19,8 @@ struct SceneFile {
 };
 
 /// Reads a scene from a file, "-" for the standard input: TOML, the CollisionSystem text of Sedgewick and Wayne's
-/// algs4, or the last frame of an extended XYZ file; told apart by the name's ending and the content.
+/// algs4, the last frame of an extended XYZ or H5MD file, or a checkpoint, told apart by the name's ending and the
+/// content. Of a checkpoint the disks and the physics are taken: a new run starts with them, at time 0.
 /// Throws one Error with everything that is wrong in the file, each with file:line:column. Does not ask whether the
 /// scene can be simulated: realize() does, and its problems carry the places stored here.
 SceneFile read_scene(const std::string& path);

@@ -13,9 +13,9 @@
 namespace carom {
 
 /// One frame in extended XYZ, numbers with 17 significant digits so that they read back to the same bits. Species are
-/// named A, B, … Z, AA, …; z is 0. Beside what the format asks for, the comment line has `boundary`, and where they
-/// differ from the format's own notions `box` (open axes) and `restitution`, `wall_restitution`, `t_c` (e < 1).
-/// Winding numbers are not written.
+/// named as the chemical elements in their order, H, He, Li, … (X beyond the 118th); z is 0. Beside what the format
+/// asks for, the comment line has `boundary`, and where they differ from the format's own notions `box` (open axes) and
+/// `restitution`, `wall_restitution`, `t_c` (e < 1). Winding numbers are not written.
 std::string xyz_frame(const System& system, const Frame& frame);
 
 /// Reads the frames of an extended XYZ file one after another. Columns may stand in any order; pos, velo and radius
@@ -30,6 +30,10 @@ class XyzReader {
 
   /// The next frame (windings 0), or nothing at the end. Throws Error with every problem, each with file:line:column.
   std::optional<Setup> next();
+
+  /// From now on a last frame that is cut off, as a crash leaves it, ends the file without an Error; cut_off() tells.
+  void allow_cut_off();
+  [[nodiscard]] bool cut_off() const noexcept;
 
   /// What a frame says before its disks.
   struct Header {

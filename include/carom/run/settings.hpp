@@ -12,7 +12,7 @@
 namespace carom {
 
 /// Which file format a trajectory is written in.
-enum class TrajectoryFormat { none, xyz };
+enum class TrajectoryFormat { none, xyz, h5md };
 
 /// One [[observe]] section, or one name of --observe: an observable and what it is told.
 struct ObserveSpec {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "carom/run/parallel.hpp"
@@ -52,11 +53,35 @@ struct Measured {
   double kT_integral = 0;  ///< ∫ kT dt from there to the start of the window in flight, by the trapezoidal rule
 };
 
+/// Energy, momentum and momentum scale at time 0: what drift is measured against.
+struct Initial {
+  double energy = 0;
+  Vec2 momentum;
+  double momentum_scale = 0;
+};
+
+/// All that decides how a simulation goes on and what it reports, at the start of a window.
+struct Snapshot {
+  System system;
+  State state;
+  Books books{0};
+  Measured measured;
+  Initial initial;
+  double measure_from = 0;  ///< see Simulation::measure_from()
+};
+
+/// What makes a snapshot one that no simulation can have made: what validate() finds, arrays of other lengths, a clock
+/// that does not tick in powers of two, numbers out of range. Empty if all is well.
+std::vector<std::string> faults_of(const Snapshot& snapshot);
+
 /// A system on its way through time. Neither copied nor moved; not for use by two threads at once.
 class Simulation {
  public:
   /// Starts at time 0. Throws Error if the setup cannot be simulated.
   explicit Simulation(Setup setup, const SolverOptions& solver = {}, const ParallelOptions& parallel = {});
+  /// Goes on from a snapshot with the same bits as the simulation that it was taken of, whatever the solver, its
+  /// options, threads and patches of either. Throws Error with the snapshot's faults if it has any.
+  explicit Simulation(Snapshot snapshot, const SolverOptions& solver = {}, const ParallelOptions& parallel = {});
 
   /// Why advancing ended.
   enum class Stop { reached, interrupted };
@@ -80,6 +105,8 @@ class Simulation {
   [[nodiscard]] const State& window_start() const noexcept { return state_; }
   /// All disks at time(): a read of free flight.
   [[nodiscard]] Frame frame() const;
+  /// The start of the window that time() lies in, and what was counted up to there.
+  [[nodiscard]] Snapshot snapshot() const;
   /// Everything counted from time 0 to time(); sums of impulses from the start of measuring.
   [[nodiscard]] const Books& books() const noexcept { return books_; }
   /// Events of the window in flight up to time(), in log order; empty unless an observer wants collisions.
@@ -101,15 +128,10 @@ class Simulation {
   [[nodiscard]] const Solver& solver() const noexcept { return *solver_; }
   /// Into how many patches and threads windows were divided, and how that went.
   [[nodiscard]] Division division() const noexcept;
-  /// Energy, momentum and momentum scale at time 0.
-  struct Initial {
-    double energy = 0;
-    Vec2 momentum;
-    double momentum_scale = 0;
-  };
   [[nodiscard]] const Initial& initial() const noexcept { return initial_; }
 
  private:
+  void choose_solver(const SolverOptions& solver, const ParallelOptions& parallel);
   void open_window();
   void abandon_window();
   Stop advance_to(double offset);

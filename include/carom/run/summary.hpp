@@ -51,4 +51,7 @@ Summary summarize(const Simulation& simulation);
 /// drift above max(1e-12, 2⁻⁵² × contacts of the busiest disk). Empty if all is well.
 std::vector<std::string> violations(const Summary& summary);
 
+/// The same at the start of a window, without all else that a summary tells: quick enough to be asked in every window.
+std::vector<std::string> violations_at_window_start(const Simulation& simulation);
+
 }  // namespace carom
