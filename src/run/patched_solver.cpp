@@ -93,6 +93,7 @@ class PatchedSolver final : public DividedSolver {
 
   [[nodiscard]] std::string_view name() const noexcept override { return "fast"; }
   [[nodiscard]] std::string_view simd() const noexcept override { return name_of(simd_); }
+  [[nodiscard]] bool sums_at_stops_only() const noexcept override { return true; }
   [[nodiscard]] Division division() const noexcept override {
     Division division = division_;
     if (counted_ > 0) division.duplicated = static_cast<double>(computed_) / static_cast<double>(counted_) - 1;

@@ -31,7 +31,7 @@ void throw_if_invalid(const Snapshot& snapshot) {
 
 Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelOptions& parallel)
     : books_(setup.system.size(), setup.system.box.has_walls()),
-      books_at_start_(books_),
+      books_at_start_(0),
       interrupt_(&kNeverInterrupted) {
   throw_if_invalid(setup);
   state_ = initial_state(setup);
@@ -111,14 +111,15 @@ std::vector<Collision> Simulation::collisions_in_flight() const {
   return sorted;
 }
 
-void Simulation::open_window() {
+void Simulation::open_window(bool in_one_go) {
   if (!measured_.started && state_.clock.start >= measure_from_) {
     measured_ = {.started = true, .start = state_.clock.start, .kT_integral = 0};
     std::fill(books_.virial_of.begin(), books_.virial_of.end(), 0.0);
     std::fill(books_.wall_impulse_of.begin(), books_.wall_impulse_of.end(), 0.0);
   }
-  books_at_start_ = books_;
   watching_ = observers_.size();
+  const bool arrays_stay = in_one_go && watching_ == 0 && solver_->sums_at_stops_only();
+  books_at_start_ = arrays_stay ? books_.counts() : books_;
   log_.clear();
   const bool logs = std::any_of(observers_.begin(), observers_.end(),
                                 [](const Observer* observer) { return observer->wants_collisions(); });
@@ -127,13 +128,17 @@ void Simulation::open_window() {
 }
 
 void Simulation::abandon_window() {
-  books_ = books_at_start_;
+  if (books_at_start_.events_of.empty()) {
+    books_.set_counts(books_at_start_);
+  } else {
+    books_ = books_at_start_;
+  }
   offset_ = 0;
   open_ = false;
 }
 
 Simulation::Stop Simulation::advance_to(double offset) {
-  if (!open_) open_window();
+  if (!open_) open_window(offset == state_.clock.length);
   // The solver asks between events; here it is asked too where many short steps hold none.
   if (interrupt_->load(std::memory_order_relaxed) || !solver_->advance_to(offset, *interrupt_)) {
     abandon_window();

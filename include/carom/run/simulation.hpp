@@ -132,7 +132,7 @@ class Simulation {
 
  private:
   void choose_solver(const SolverOptions& solver, const ParallelOptions& parallel);
-  void open_window();
+  void open_window(bool in_one_go);
   void abandon_window();
   Stop advance_to(double offset);
   void close_window();
@@ -143,7 +143,7 @@ class Simulation {
   double offset_ = 0;
   bool open_ = false;
   Books books_;
-  Books books_at_start_;  // of the window in flight
+  Books books_at_start_;  // of the window in flight; without arrays where nobody can need them: they are large
   std::vector<Collision> log_;
   std::unique_ptr<Solver> solver_;
   DividedSolver* divided_ = nullptr;  // the same, if it divides its windows

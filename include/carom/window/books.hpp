@@ -25,6 +25,21 @@ struct Books {
       : events_of(disks), virial_of(disks), wall_impulse_of(walls ? disks : 0) {}
 
   [[nodiscard]] std::uint64_t events() const noexcept { return collisions + wall_collisions; }
+
+  /// The same without arrays.
+  [[nodiscard]] Books counts() const {
+    Books counts(0);
+    counts.set_counts(*this);
+    return counts;
+  }
+  /// Takes over all but the arrays.
+  void set_counts(const Books& other) noexcept {
+    collisions = other.collisions;
+    wall_collisions = other.wall_collisions;
+    ties = other.ties;
+    collapses = other.collapses;
+    largest_overlap = other.largest_overlap;
+  }
 };
 
 }  // namespace carom

@@ -31,6 +31,9 @@ class Solver {
   /// What its prediction loop is compiled for: "scalar", "AVX2", …
   [[nodiscard]] virtual std::string_view simd() const noexcept = 0;
 
+  /// Whether the books' arrays change only when advance_to() has returned true.
+  [[nodiscard]] virtual bool sums_at_stops_only() const noexcept { return false; }
+
   /// Begins the window that starts with `start`. Counts and sums are added to `books`; events are appended to
   /// `log` in the order of processing unless it is null.
   virtual void open(const State& start, Books& books, std::vector<Collision>* log) = 0;

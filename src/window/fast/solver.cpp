@@ -15,6 +15,7 @@ class FastSolver final : public Solver {
 
   [[nodiscard]] std::string_view name() const noexcept override { return "fast"; }
   [[nodiscard]] std::string_view simd() const noexcept override { return name_of(simd_); }
+  [[nodiscard]] bool sums_at_stops_only() const noexcept override { return true; }
 
   void open(const State& start, Books& books, std::vector<Collision>* log) override {
     work_.open(start, books, log);
