@@ -30,11 +30,14 @@ class RecoveryTest(ProgramTest):
     def setUp(self):
         super().setUp()
         self.succeed("make", "gas", "--disks", 60, "--packing", 0.5, "-o", "gas.toml")
-        self.reference = self.run_in("whole").report
+        done = self.run_in("whole")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.reference = done.report
 
     def words(self, out):
         return ["run", "gas.toml", "--until", 6, "--out", out, "--every", 0.5, "--trajectory", self.FORMAT,
-                "--log-collisions", f"{out}/collisions.csv", "--checkpoint-every", 1, "--json", "--quiet"]
+                "--log-collisions", f"{out}/collisions.csv", "--checkpoint-every", 1, "--json", "--quiet",
+                "--observe", "pressure,msd,vacf,speeds"]
 
     def run_in(self, out, *more, **variables):
         """The finished process of a run into `out`, with these environment variables."""
@@ -68,13 +71,18 @@ class RecoveryTest(ProgramTest):
         """Going on from what is there leads to the files of the run that was never stopped."""
         done = self.succeed("resume", out, "--json", "--quiet", *more)
         report = json.loads(done.stdout)
-        for key in ("digest", "scene_digest", "collisions", "pressure", "energy_drift", "max_overlap", "ties"):
+        for key in ("digest", "scene_digest", "collisions", "pressure", "energy_drift", "max_overlap", "ties",
+                    "observables"):
             self.assertEqual(report[key], self.reference[key], key)
         self.assert_same_files(out)
 
     def assert_same_files(self, out):
         for name in ("final.xyz", "collisions.csv", "scene.toml"):
             self.assertEqual(self.path(f"{out}/{name}").read_bytes(), self.path(f"whole/{name}").read_bytes(), name)
+        tables = sorted(path.name for path in self.path("whole/observables").iterdir())
+        self.assertGreater(len(tables), 3)
+        for name in tables:
+            self.assertEqual(self.read(f"{out}/observables/{name}"), self.read(f"whole/observables/{name}"), name)
         if self.FORMAT == "xyz":
             self.assertEqual(self.path(f"{out}/trajectory.xyz").read_bytes(),
                              self.path("whole/trajectory.xyz").read_bytes())
