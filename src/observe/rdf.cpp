@@ -30,7 +30,7 @@ namespace {
 
 // Mixtures of more kinds have too many partial functions to be read.
 constexpr std::size_t kMostKinds = 3;
-constexpr double kMeanFreeTimes = 16;
+constexpr double kMeanFreeTimes = 8;
 constexpr double kStandardBins = 250;
 constexpr double kStandardRange = 5;    // in the largest diameter
 constexpr double kShortestRange = 1.5;  // likewise
@@ -227,7 +227,7 @@ ObservableKind rdf_kind() {
       .summary = "pair distribution g(r) and its contact value",
       .from_frames = true,
       .options =
-          {interval_option("16 mean free times"),
+          {interval_option("8 mean free times"),
            {.name = "r_max",
             .meaning = "largest distance",
             .standard = "5 diameters, at most half the box",

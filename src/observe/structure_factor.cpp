@@ -21,7 +21,7 @@
 namespace carom {
 namespace {
 
-constexpr double kMeanFreeTimes = 64;
+constexpr double kMeanFreeTimes = 32;
 constexpr double kStandardRange = 15;    // k times the largest diameter
 constexpr double kStandardWaves = 4000;  // along the longer side, at most
 constexpr double kMostWaves = 1e5;
@@ -159,7 +159,7 @@ ObservableKind structure_factor_kind() {
   return {.name = "structure_factor",
           .summary = "structure factor S(k) and its limit at small k",
           .from_frames = true,
-          .options = {interval_option("64 mean free times"),
+          .options = {interval_option("32 mean free times"),
                       {.name = "k_max",
                        .meaning = "largest wave number",
                        .standard = "15 over the largest diameter, at most 4000 waves along the box"},
