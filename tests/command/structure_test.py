@@ -47,7 +47,8 @@ class Trajectory:
 class Structure(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.succeed("make", "gas", "--disks", 150, "--packing", 0.4, "--start", "random", "-o", "gas.toml")
+        self.succeed("make", "gas", "--disks", 150, "--packing", 0.4, "--aspect", 1.3, "--start", "random",
+                     "-o", "gas.toml")
         self.succeed("run", "gas.toml", "--until", 6, "--every", 1, "--trajectory", "xyz", "--out", "run", "--quiet")
         self.found = self.json_of("analyze", "run", "--what", "rdf,structure_factor,psi6", "--csv", "tables")
         self.trajectory = Trajectory(self.read("run/trajectory.xyz"))
