@@ -187,7 +187,7 @@ ObservableKind psi6_kind() {
                        .standard = "200",
                        .whole = true,
                        .least = 1,
-                       .most = 1e6}},
+                       .most = 1e5}},
           .make = [](const Subject& subject, const ObservableOptions& options) -> std::unique_ptr<Observable> {
             const double range = options.number("r_max", standard_range(subject.system));
             check_pair_range("r_max of psi6", subject.system.box, range);

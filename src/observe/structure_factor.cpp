@@ -168,7 +168,7 @@ ObservableKind structure_factor_kind() {
                        .standard = "100",
                        .whole = true,
                        .least = 1,
-                       .most = 1e6},
+                       .most = 1e5},
                       {.name = "vectors",
                        .meaning = "number of wave vectors, at most",
                        .standard = "2e7 over the number of disks, at least 1000",
