@@ -22,7 +22,7 @@
 namespace carom {
 namespace {
 
-constexpr double kMeanFreeTimes = 64;
+constexpr double kMeanFreeTimes = 32;
 constexpr std::size_t kStandardBins = 200;
 constexpr double kStandardRange = 16;  // in the largest diameter
 constexpr double kShortestRange = 2;   // likewise
@@ -177,7 +177,7 @@ ObservableKind psi6_kind() {
   return {.name = "psi6",
           .summary = "bond-orientational order ψ6 of Voronoi neighbours, global and local, and its correlation g6(r)",
           .from_frames = true,
-          .options = {interval_option("64 mean free times"),
+          .options = {interval_option("32 mean free times"),
                       {.name = "r_max",
                        .meaning = "largest distance of g6",
                        .standard = "16 diameters, at most half the box",
@@ -187,10 +187,10 @@ ObservableKind psi6_kind() {
                        .standard = "200",
                        .whole = true,
                        .least = 1,
-                       .most = 1e6}},
+                       .most = 1e5}},
           .make = [](const Subject& subject, const ObservableOptions& options) -> std::unique_ptr<Observable> {
             const double range = options.number("r_max", standard_range(subject.system));
-            check_pair_range(subject.system.box, range);
+            check_pair_range("r_max of psi6", subject.system.box, range);
             return std::make_unique<Psi6>(range, options.count("bins", kStandardBins),
                                           frame_interval(options, subject, kMeanFreeTimes));
           }};

@@ -30,7 +30,7 @@ namespace {
 
 // Mixtures of more kinds have too many partial functions to be read.
 constexpr std::size_t kMostKinds = 3;
-constexpr double kMeanFreeTimes = 16;
+constexpr double kMeanFreeTimes = 8;
 constexpr double kStandardBins = 250;
 constexpr double kStandardRange = 5;    // in the largest diameter
 constexpr double kShortestRange = 1.5;  // likewise
@@ -49,14 +49,24 @@ struct Partial {
   double contact_sum = 0;       // likewise
 };
 
+/// Z − 1 over the contact value, where that is the whole virial: equal elastic disks in a periodic box.
+std::optional<double> excess_per_contact(const System& system) {
+  const bool periodic = system.box.periodic(0) && system.box.periodic(1);
+  if (!periodic || !system.physics.elastic() || system.species.size() != 1) return std::nullopt;
+  const auto disks = static_cast<double>(system.size());
+  return 2 * packing_fraction(system) * (disks - 1) / disks;
+}
+
 class Rdf final : public Observable {
  public:
   Rdf(const System& system, double range, std::size_t bins, double interval)
-      : interval_(interval), range_(range), bins_(bins), fluid_(fluid_of_equal_disks(system)) {
-    for (const std::uint32_t kind : system.species_of) {
-      if (count_of_kind_.size() <= kind) count_of_kind_.resize(kind + 1, 0);
-      ++count_of_kind_[kind];
-    }
+      : interval_(interval),
+        range_(range),
+        bins_(bins),
+        excess_per_contact_(excess_per_contact(system)),
+        fluid_(fluid_of_equal_disks(system)),
+        count_of_kind_(system.species.size(), 0) {
+    for (const std::uint32_t kind : system.species_of) ++count_of_kind_[kind];
     if (system.species.size() <= kMostKinds) add_partials(system);
     if (system.species.size() != 1) add_total(system);
     for (const Partial& partial : partials_) {
@@ -125,6 +135,7 @@ class Rdf final : public Observable {
   double interval_;
   double range_;
   std::size_t bins_;
+  std::optional<double> excess_per_contact_;
   std::optional<EqualDisks> fluid_;
   double reach_ = 0;  // pairs farther apart are of no interest
 
@@ -200,12 +211,14 @@ Measurement Rdf::result() const {
     append_columns(table, {"g" + partial.suffix, partial.label, "", {}}, means_of(partial.g));
     if (!partial.fit) continue;
     Estimate& contact = add_estimate(measurement, "contact_value" + partial.suffix, "", partial.contact, interval_);
-    if (!fluid_) continue;
-    contact.theory = contact_value(fluid_->packing_fraction);
-    contact.theory_source = "Kolafa and Rottner 2006, infinite system";
-    Estimate z = scaled(contact, "Z", "", 2 * fluid_->packing_fraction * (fluid_->disks - 1) / fluid_->disks);
+    if (fluid_) {
+      contact.theory = contact_value(fluid_->packing_fraction);
+      contact.theory_source = "Kolafa and Rottner 2006, infinite system";
+    }
+    if (!excess_per_contact_) continue;
+    Estimate z = scaled(contact, "Z", "", *excess_per_contact_);
     z.value += 1;
-    z.theory = kolafa_rottner(fluid_->packing_fraction);
+    if (fluid_) z.theory = kolafa_rottner(fluid_->packing_fraction);
     measurement.estimates.push_back(std::move(z));
   }
   measurement.tables.push_back(std::move(table));
@@ -227,12 +240,12 @@ ObservableKind rdf_kind() {
       .summary = "pair distribution g(r) and its contact value",
       .from_frames = true,
       .options =
-          {interval_option("16 mean free times"),
+          {interval_option("8 mean free times"),
            {.name = "r_max",
             .meaning = "largest distance",
             .standard = "5 diameters, at most half the box",
             .least = 1e-300},
-           {.name = "bins", .meaning = "number of bins", .standard = "250", .whole = true, .least = 1, .most = 1e6}},
+           {.name = "bins", .meaning = "number of bins", .standard = "250", .whole = true, .least = 1, .most = 1e5}},
       .make = [](const Subject& subject, const ObservableOptions& options) -> std::unique_ptr<Observable> {
         const System& system = subject.system;
         if (system.box.boundary[0] == Boundary::open || system.box.boundary[1] == Boundary::open) {

@@ -21,46 +21,14 @@
 namespace carom {
 namespace {
 
-constexpr double kMeanFreeTimes = 64;
+constexpr double kMeanFreeTimes = 32;
 constexpr double kStandardRange = 15;    // k times the largest diameter
 constexpr double kStandardWaves = 4000;  // along the longer side, at most
 constexpr double kMostWaves = 1e5;
 constexpr std::size_t kStandardShells = 100;
 constexpr double kStandardCost = 2e7;  // disks times vectors
 constexpr double kFewestVectors = 1000;
-constexpr double kLimitRange = 2;         // k times the diameter up to which S(k) is fitted for its limit
-constexpr std::size_t kFewestShells = 6;  // in the fit
-
-/// Weights of shells that extrapolate S(k) to k = 0: least squares of a + b k² + c k⁴, each shell weighted by its
-/// number of vectors, taken at 0. Empty if there are too few shells.
-std::vector<double> weights_of_limit(const std::vector<WaveShell>& shells, double k_max) {
-  std::size_t count = 0;
-  while (count < shells.size() && shells[count].mean_k <= k_max) ++count;
-  if (count < kFewestShells) return {};
-  const auto product = [&](const std::vector<double>& f, const std::vector<double>& g) {
-    double sum = 0;
-    for (std::size_t s = 0; s < count; ++s) sum += static_cast<double>(shells[s].last - shells[s].first) * f[s] * g[s];
-    return sum;
-  };
-  const auto remove = [&](std::vector<double>& f, const std::vector<double>& g) {
-    const double share = product(f, g) / product(g, g);
-    for (std::size_t s = 0; s < count; ++s) f[s] -= share * g[s];
-  };
-  // What is left of 1 after its parts along k² and k⁴ are taken off sees the constant a alone.
-  std::vector<double> one(count, 1);
-  std::vector<double> k2;
-  std::vector<double> k4;
-  for (std::size_t s = 0; s < count; ++s) {
-    k2.push_back(shells[s].mean_k2);
-    k4.push_back(shells[s].mean_k4);
-  }
-  remove(k4, k2);
-  remove(one, k2);
-  remove(one, k4);
-  const double norm = product(one, one);
-  for (std::size_t s = 0; s < count; ++s) one[s] *= static_cast<double>(shells[s].last - shells[s].first) / norm;
-  return one;
-}
+constexpr double kLimitRange = 2;  // k times the diameter up to which S(k) is fitted for its limit
 
 /// 1/(d(ηZ)/dη).
 double compressibility(double packing_fraction) {
@@ -159,7 +127,7 @@ ObservableKind structure_factor_kind() {
   return {.name = "structure_factor",
           .summary = "structure factor S(k) and its limit at small k",
           .from_frames = true,
-          .options = {interval_option("64 mean free times"),
+          .options = {interval_option("32 mean free times"),
                       {.name = "k_max",
                        .meaning = "largest wave number",
                        .standard = "15 over the largest diameter, at most 4000 waves along the box"},
@@ -168,7 +136,7 @@ ObservableKind structure_factor_kind() {
                        .standard = "100",
                        .whole = true,
                        .least = 1,
-                       .most = 1e6},
+                       .most = 1e5},
                       {.name = "vectors",
                        .meaning = "number of wave vectors, at most",
                        .standard = "2e7 over the number of disks, at least 1000",

@@ -13,6 +13,8 @@ namespace {
 // Disks whose waves are multiplied at a time, so that compilers make vector code of it.
 constexpr std::size_t kLanes = 8;
 using Lanes = std::array<double, kLanes>;
+// In the fit of the limit at small k.
+constexpr std::size_t kFewestShells = 6;
 
 /// exp(i n φ) for n = 0, 1, … and a few disks.
 class Harmonics {
@@ -148,6 +150,35 @@ std::vector<std::complex<double>> WaveVectors::density_waves(const Frame& frame)
     for (std::size_t k = 0; k < vectors_.size(); ++k) waves[k] += sum_of_waves(along_x, along_y, vectors_[k]);
   }
   return waves;
+}
+
+std::vector<double> weights_of_limit(const std::vector<WaveShell>& shells, double k_max) {
+  std::size_t count = 0;
+  while (count < shells.size() && shells[count].mean_k <= k_max) ++count;
+  if (count < kFewestShells) return {};
+  const auto product = [&](const std::vector<double>& f, const std::vector<double>& g) {
+    double sum = 0;
+    for (std::size_t s = 0; s < count; ++s) sum += static_cast<double>(shells[s].last - shells[s].first) * f[s] * g[s];
+    return sum;
+  };
+  const auto remove = [&](std::vector<double>& f, const std::vector<double>& g) {
+    const double share = product(f, g) / product(g, g);
+    for (std::size_t s = 0; s < count; ++s) f[s] -= share * g[s];
+  };
+  // What is left of 1 after its parts along k² and k⁴ are taken off sees the constant a alone.
+  std::vector<double> one(count, 1);
+  std::vector<double> k2;
+  std::vector<double> k4;
+  for (std::size_t s = 0; s < count; ++s) {
+    k2.push_back(shells[s].mean_k2);
+    k4.push_back(shells[s].mean_k4);
+  }
+  remove(k4, k2);
+  remove(one, k2);
+  remove(one, k4);
+  const double norm = product(one, one);
+  for (std::size_t s = 0; s < count; ++s) one[s] *= static_cast<double>(shells[s].last - shells[s].first) / norm;
+  return one;
 }
 
 }  // namespace carom

@@ -52,4 +52,8 @@ class WaveVectors {
   int largest_y_ = 0;
 };
 
+/// Weights of shells that extrapolate S(k) to k = 0: least squares of a + b k² + c k⁴ to the shells up to `k_max`, each
+/// weighted by its number of vectors, taken at 0. One per shell of the fit; empty if there are fewer than six.
+std::vector<double> weights_of_limit(const std::vector<WaveShell>& shells, double k_max);
+
 }  // namespace carom

@@ -78,5 +78,19 @@ TEST(WaveVectors, DensityWavesAreSumsOverDisks) {
   }
 }
 
+TEST(WaveVectors, LimitOfAPolynomialIsExact) {
+  const WaveVectors waves({30, 25}, 10, 40, 400);
+  const std::vector<double> weights = weights_of_limit(waves.shells(), 3);
+  ASSERT_GE(weights.size(), 6U);
+  double limit = 0;
+  for (std::size_t s = 0; s < weights.size(); ++s) {
+    const WaveShell& shell = waves.shells()[s];
+    EXPECT_LE(shell.mean_k, 3);
+    limit += weights[s] * (0.25 - 3 * shell.mean_k2 + 0.5 * shell.mean_k4);
+  }
+  EXPECT_NEAR(limit, 0.25, 1e-10);
+  EXPECT_TRUE(weights_of_limit(waves.shells(), 1).empty()) << "too few shells";
+}
+
 }  // namespace
 }  // namespace carom

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "carom/base/vec2.hpp"
@@ -12,8 +13,8 @@
 namespace carom {
 
 /// Throws Error unless `range` (length) is positive and finite, and no more than 20 times a periodic side: farther than
-/// that there is nothing but images.
-void check_pair_range(const Box& box, double range);
+/// that there is nothing but images. `what` names the range in the message.
+void check_pair_range(std::string_view what, const Box& box, double range);
 
 /// The disks of one frame sorted into cells, for pairs up to one distance. A copy: the frame may go.
 class PairGrid {
