@@ -43,7 +43,7 @@ class Rate final : public Observable {
         add_estimate(measurement, "collision_rate", "1/time", rates_, spacing, 2 * collisions_ / (disks_ * time_));
     if (fluid_) {
       rate.theory = enskog_rate(*fluid_, kT_.result().mean) * finite_rate_factor(freedom_);
-      rate.theory_source = "Enskog, g of Kolafa and Rottner 2006 (infinite system)";
+      rate.theory_source = "Enskog, g of Kolafa and Rottner 2006, infinite system";
     }
     measurement.estimates = {rate};
     if (!(collisions_ > 0)) return measurement;
