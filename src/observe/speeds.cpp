@@ -128,8 +128,9 @@ class Speeds final : public Observable {
     std::vector<double> masses;
     for (const Species& kind : system.species) {
       if (std::find(masses.begin(), masses.end(), kind.mass) == masses.end()) masses.push_back(kind.mass);
+      if (masses.size() > kMostMasses) return {};
     }
-    return masses.size() == 1 || masses.size() > kMostMasses ? std::vector<double>{} : masses;
+    return masses.size() == 1 ? std::vector<double>{} : masses;
   }
 
   /// Adds a frame to the histograms, and its H to the series.
