@@ -76,7 +76,7 @@ std::string picture_of_state(const System& system, const Frame& frame, const Sta
 
   // Text can be measured only on a canvas, and the canvas's size depends on the text: a small one measures.
   const Canvas ruler(PictureFormat::png, 1, 1, 1);
-  const double title_width = measure(ruler.ink(), RichText{}.bold(picture.title), kTitleSize).x;
+  const double title_width = measure(ruler.ink(), RichText{}.bold(printable(picture.title)), kTitleSize).x;
   const double widest = picture.width_px - 2 * kMargin;
   const double text_width = std::min(widest, std::max({view.area.width(), kLeastTextWidth, title_width}));
   const Footer footer = footer_of(ruler.ink(), system, frame, view, colours, text_width);
@@ -84,7 +84,7 @@ std::string picture_of_state(const System& system, const Frame& frame, const Sta
   Canvas canvas(format, std::ceil(text_width + 2 * kMargin),
                 std::ceil(view.area.bottom + footer.height + 0.5 * kMargin), 1);
   if (!picture.title.empty()) {
-    draw_text(canvas.ink(), RichText{}.bold(picture.title), {kMargin, kMargin + 12}, kTitleSize, kBlack);
+    draw_text(canvas.ink(), RichText{}.bold(printable(picture.title)), {kMargin, kMargin + 12}, kTitleSize, kBlack);
   }
   draw_disks(canvas.ink(), system, frame, view, colours);
   draw_box(canvas.ink(), system.box, view.area);
