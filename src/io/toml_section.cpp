@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/base/nearest_word.hpp"
 #include "numbers.hpp"
-#include "words.hpp"
 
 namespace carom::io {
 namespace {

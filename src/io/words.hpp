@@ -17,8 +17,4 @@ void split_words(std::string_view line, std::vector<Word>& words);
 /// Takes the first line off `text` and returns it without its line feed.
 std::string_view take_line(std::string_view& text) noexcept;
 
-/// The candidate that differs from `word` by the fewest letters left out, added, changed or swapped; empty if none is
-/// close enough to have been meant.
-std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& candidates);
-
 }  // namespace carom::io

@@ -1,0 +1,42 @@
+// What theory says of the gas of equal disks, for comparison with what is measured.
+#pragma once
+
+#include <optional>
+
+#include "carom/state/system.hpp"
+
+namespace carom {
+
+/// A gas of equal disks.
+struct EqualDisks {
+  double diameter = 1;
+  double mass = 1;
+  double number_density = 0;    ///< N/A (1/length²)
+  double packing_fraction = 0;  ///< η
+  double disks = 0;             ///< N
+};
+
+/// The system as a gas of equal elastic disks, if it is one in the fluid range (η < 0.7) of a periodic box, where the
+/// functions below hold; else nothing.
+std::optional<EqualDisks> fluid_of_equal_disks(const System& system);
+/// The same for any restitution and boundary without an open axis: for what holds at a start, or approximately.
+std::optional<EqualDisks> gas_of_equal_disks(const System& system);
+
+/// Compressibility factor Z = βP/ρ of the infinite system (Kolafa and Rottner, Mol. Phys. 104, 3435 (2006)).
+double kolafa_rottner(double packing_fraction);
+
+/// Contact value g of the pair distribution, from Z = 1 + 2 η g.
+double contact_value(double packing_fraction);
+
+/// Collisions per disk and time of the infinite system, Γ = 2 ρ d g √(π kT/m) (Enskog).
+double enskog_rate(const EqualDisks& gas, double kT);
+
+/// Self-diffusion D = √(kT/(π m))/(2 ρ d g) × 1.02704 (length²/time): Enskog's first Sonine approximation times the
+/// factor to which the expansion converges.
+double enskog_diffusion(const EqualDisks& gas, double kT);
+
+/// C = √(f/2) Γ(f/2)/Γ((f+1)/2): by which a system of f degrees of freedom and given energy collides more often than at
+/// the temperature kT = 2E/f of a heat bath. Tends to 1 for large f.
+double finite_rate_factor(double degrees_of_freedom);
+
+}  // namespace carom
