@@ -1,5 +1,6 @@
 #include "carom/io/run_results.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kDegree = 4;
 constexpr double kShareOfGap = 0.75;
-constexpr double kMostWidth = 0.5;                      // in σ
-constexpr double kClosePacking = 0.9068996821171089;    // π/√12
+constexpr double kMostWidth = 0.5;                    // in σ
+constexpr double kClosePacking = 0.9068996821171089;  // π/√12
 constexpr int kSteps = 128;
 
 double width_of_fit(double sigma, double packing_fraction) {

@@ -46,9 +46,7 @@ double IdealPairs::density(double r) const {
     }
   }
   std::sort(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count));
-  const auto integrand = [&](double angle) {
-    return x_.common(r * std::cos(angle)) * y_.common(r * std::sin(angle));
-  };
+  const auto integrand = [&](double angle) { return x_.common(r * std::cos(angle)) * y_.common(r * std::sin(angle)); };
   double integral = 0;
   for (std::size_t k = 0; k + 1 < count; ++k) {
     if (angles[k + 1] > angles[k]) integral += Rule::integrate(integrand, angles[k], angles[k + 1]);

@@ -31,14 +31,14 @@ namespace {
 constexpr std::size_t kMostKinds = 3;
 constexpr double kMeanFreeTimes = 16;
 constexpr double kStandardBins = 250;
-constexpr double kStandardRange = 5;   // in the largest diameter
+constexpr double kStandardRange = 5;    // in the largest diameter
 constexpr double kShortestRange = 1.5;  // likewise
 
 /// What is counted for two kinds of disks, or for all.
 struct Partial {
-  std::string suffix;  // "", "_AB"
-  std::string label;   // "g(r)", "g(r) of A and B"
-  double pairs = 0;    // of disks
+  std::string suffix;            // "", "_AB"
+  std::string label;             // "g(r)", "g(r) of A and B"
+  double pairs = 0;              // of disks
   std::vector<double> expected;  // of an ideal gas, by bin
   BinSamples g;
   std::optional<ContactFit> fit;
@@ -208,8 +208,7 @@ Measurement Rdf::result() const {
     if (!(partial.pairs > 0)) continue;
     partial.g.append_to(table.columns, {"g" + partial.suffix, partial.label, "", {}});
     if (!partial.fit) continue;
-    Estimate& contact =
-        add_estimate(measurement, "contact_value" + partial.suffix, "", partial.contact, interval_);
+    Estimate& contact = add_estimate(measurement, "contact_value" + partial.suffix, "", partial.contact, interval_);
     if (!fluid_) continue;
     contact.theory = contact_value(fluid_->packing_fraction);
     contact.theory_source = "Kolafa and Rottner 2006, infinite system";
@@ -232,26 +231,27 @@ double standard_range(const System& system) {
 }  // namespace
 
 ObservableKind rdf_kind() {
-  return {.name = "rdf",
-          .summary = "pair distribution g(r) and its contact value",
-          .from_frames = true,
-          .options = {interval_option("16 mean free times"),
-                      {.name = "r_max",
-                       .meaning = "largest distance",
-                       .standard = "5 diameters, at most half the box",
-                       .least = 1e-300},
-                      {.name = "bins", .meaning = "number of bins", .standard = "250", .whole = true, .least = 1,
-                       .most = 1e6}},
-          .make = [](const Subject& subject, const ObservableOptions& options) -> std::unique_ptr<Observable> {
-            const System& system = subject.system;
-            if (system.box.boundary[0] == Boundary::open || system.box.boundary[1] == Boundary::open) {
-              throw Error("rdf: the plane is open: there is no density to compare with");
-            }
-            if (system.size() < 2) throw Error("rdf: there are no pairs of disks");
-            return std::make_unique<Rdf>(system, options.number("r_max", standard_range(system)),
-                                         options.count("bins", static_cast<std::size_t>(kStandardBins)),
-                                         frame_interval(options, subject, kMeanFreeTimes));
-          }};
+  return {
+      .name = "rdf",
+      .summary = "pair distribution g(r) and its contact value",
+      .from_frames = true,
+      .options =
+          {interval_option("16 mean free times"),
+           {.name = "r_max",
+            .meaning = "largest distance",
+            .standard = "5 diameters, at most half the box",
+            .least = 1e-300},
+           {.name = "bins", .meaning = "number of bins", .standard = "250", .whole = true, .least = 1, .most = 1e6}},
+      .make = [](const Subject& subject, const ObservableOptions& options) -> std::unique_ptr<Observable> {
+        const System& system = subject.system;
+        if (system.box.boundary[0] == Boundary::open || system.box.boundary[1] == Boundary::open) {
+          throw Error("rdf: the plane is open: there is no density to compare with");
+        }
+        if (system.size() < 2) throw Error("rdf: there are no pairs of disks");
+        return std::make_unique<Rdf>(system, options.number("r_max", standard_range(system)),
+                                     options.count("bins", static_cast<std::size_t>(kStandardBins)),
+                                     frame_interval(options, subject, kMeanFreeTimes));
+      }};
 }
 
 }  // namespace carom
