@@ -177,8 +177,9 @@ void add_sweep(CLI::App& app, Action& action) {
             "stop each at the first window's end at or after so many collisions");
   add_number(*command, "--equilibrate", options->equilibrate, "measure from the first window after this time");
   add_solver(*command, options->solver);
-  add_count(*command, "--seed", options->seed, "take the place of the seeds in the scene, from which those of the jobs "
-                                               "are derived");
+  add_count(*command, "--seed", options->seed,
+            "take the place of the seeds in the scene, from which those of the jobs "
+            "are derived");
   command->add_flag("--json", options->json, "print a summary as one JSON object");
   command->add_flag("--quiet", options->quiet, "show no progress");
   command->callback([options, &action] { action = [options] { return sweep_command(*options); }; });

@@ -91,8 +91,8 @@ class SweepPlots {
     const SweepMean::Quantity* const quantity = find(mean, column);
     if (quantity == nullptr) return;
     const std::string label = varied_.size() > 1 ? label_of(varied_, mean.values) : "measured, \u00b1 1 standard error";
-    auto series = std::find_if(panel.series.begin(), panel.series.end(),
-                               [&](const Series& one) { return one.label == label; });
+    auto series =
+        std::find_if(panel.series.begin(), panel.series.end(), [&](const Series& one) { return one.label == label; });
     if (series == panel.series.end()) {
       panel.series.push_back({Series::Style::measured, label, {}, {}, {}});
       series = panel.series.end() - 1;
