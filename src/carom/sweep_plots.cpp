@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFluidEnds = 0.70;  // packing fraction up to which the fluid's equation of state holds
+constexpr double kFluidEnds = 0.69;  // packing fraction up to which the fluid's equation of state was fitted
 
 const SweepMean::Quantity* find(const SweepMean& mean, const std::string& name) {
   const auto found = std::find_if(mean.quantities.begin(), mean.quantities.end(),
@@ -33,6 +33,19 @@ bool varies_packing(const std::string& key) {
   return key == "packing" || (key.starts_with("gas.") && key.ends_with("packing_fraction"));
 }
 
+/// Whether every job is an elastic gas of equal disks in a periodic box, which the equation of state is for.
+bool all_are_plain_gases(const Scene& scene, const std::vector<VariedKey>& varied) {
+  if (!scene.disks.empty() || scene.gas.empty() || scene.restitution != 1) return false;
+  if (scene.boundary[0] != Boundary::periodic || scene.boundary[1] != Boundary::periodic) return false;
+  const auto equal = [&](const GasSpec& gas) { return gas.radius == scene.gas.front().radius; };
+  if (!std::all_of(scene.gas.begin(), scene.gas.end(), equal)) return false;
+  return std::none_of(varied.begin(), varied.end(), [&](const VariedKey& one) {
+    const std::string key = full_scene_key(one.key);
+    const bool of_one_gas = scene.gas.size() > 1 && key.ends_with("radius");
+    return of_one_gas || key == "radius_ratio" || key == "physics.restitution";
+  });
+}
+
 /// "restitution = 0.9, mass_ratio = 2": the values of all keys but the first.
 std::string label_of(const std::vector<VariedKey>& varied, const std::vector<double>& values) {
   std::string label;
@@ -45,8 +58,8 @@ std::string label_of(const std::vector<VariedKey>& varied, const std::vector<dou
 /// One column of the means against the first key, or against the packing fraction that came of it.
 class SweepPlots {
  public:
-  SweepPlots(std::vector<VariedKey> varied, std::vector<SweepMean> means)
-      : varied_(std::move(varied)), means_(std::move(means)) {}
+  SweepPlots(const SweepPlan& plan, std::vector<SweepMean> means)
+      : varied_(plan.varied), means_(std::move(means)), plain_(all_are_plain_gases(plan.file.scene, plan.varied)) {}
 
   std::vector<NamedPlot> all() {
     if (means_.empty() || varied_.empty()) return {};
@@ -54,7 +67,7 @@ class SweepPlots {
     const bool packing = varies_packing(varied_.front().key);
     if (has("Z")) {
       plots.push_back(plot_of(packing ? "equation_of_state" : "Z", "Z", "compressibility factor Z = \u03b2P/\u03c1"));
-      if (packing) add_equation_of_state(plots.back().plot);
+      if (packing && plain_) add_equation_of_state(plots.back().plot);
       plots.back().plot.title = packing ? "Equation of state" : "Compressibility factor";
     }
     for (const SweepMean::Quantity& quantity : means_.front().quantities) {
@@ -123,6 +136,7 @@ class SweepPlots {
 
   std::vector<VariedKey> varied_;
   std::vector<SweepMean> means_;
+  bool plain_;
 };
 
 }  // namespace
@@ -143,7 +157,7 @@ std::vector<NamedPlot> plots_of_sweep(const std::string& directory) {
     const std::string job_directory = (fs::path(directory) / "runs" / job.name).string();
     if (std::optional<SweepRow> row = read_finished_job(job_directory, job)) rows.push_back(std::move(*row));
   }
-  return SweepPlots(settings.varied, means_of(rows)).all();
+  return SweepPlots(plan, means_of(rows)).all();
 }
 
 }  // namespace carom

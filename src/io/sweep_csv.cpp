@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -61,6 +62,16 @@ std::vector<std::string> names_observed(const std::vector<SweepRow>& rows) {
     }
   }
   return names;
+}
+
+/// Columns of sweep.csv beside varied keys and estimates.
+constexpr std::array<std::string_view, 10> kColumns{
+    "replica", "seed", "disks", "packing_fraction", "time", "collisions", "temperature", "pressure", "Z", "digest"};
+
+/// A varied key as the name of a column, where need be in full: no two columns have one name.
+std::string column_of(const VariedKey& varied) {
+  if (std::find(kColumns.begin(), kColumns.end(), varied.key) == kColumns.end()) return varied.key;
+  return varied.key == "disks" ? "gas.count" : "gas." + varied.key;
 }
 
 /// Lines of a CSV file, field by field. Fields with commas or quotation marks are quoted.
@@ -167,11 +178,8 @@ std::vector<SweepMean> means_of(const std::vector<SweepRow>& rows) {
 std::string sweep_csv(const std::vector<VariedKey>& varied, const std::vector<SweepRow>& rows) {
   const std::vector<std::string> estimates = names_observed(rows);
   CsvText csv;
-  for (const VariedKey& key : varied) csv.field(key.key);
-  for (const char* const name : {"replica", "seed", "disks", "packing_fraction", "time", "collisions", "temperature",
-                                 "pressure", "Z", "digest"}) {
-    csv.field(name);
-  }
+  for (const VariedKey& key : varied) csv.field(column_of(key));
+  for (const std::string_view name : kColumns) csv.field(name);
   for (const std::string& name : estimates) {
     csv.field(name);
     csv.field(name + "_error");
@@ -202,7 +210,7 @@ std::string sweep_csv(const std::vector<VariedKey>& varied, const std::vector<Sw
 
 std::string sweep_mean_csv(const std::vector<VariedKey>& varied, const std::vector<SweepMean>& means) {
   CsvText csv;
-  for (const VariedKey& key : varied) csv.field(key.key);
+  for (const VariedKey& key : varied) csv.field(column_of(key));
   csv.field("replicas");
   if (!means.empty()) {
     for (const SweepMean::Quantity& quantity : means.front().quantities) {

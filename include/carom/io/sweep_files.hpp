@@ -72,7 +72,8 @@ std::vector<SweepMean> means_of(const std::vector<SweepRow>& rows);
 
 /// One line per finished job: varied keys, replica, seed, disks, packing_fraction, time, collisions, temperature,
 /// pressure, Z = pressure/number density, digest, then OBSERVABLE.ESTIMATE and its standard error for whatever was
-/// observed. What has no value is empty. Nothing in it depends on when or how fast the jobs ran.
+/// observed. A varied key that is called like another column has its full name, gas.temperature. What has no value is
+/// empty. Nothing in it depends on when or how fast the jobs ran.
 std::string sweep_csv(const std::vector<VariedKey>& varied, const std::vector<SweepRow>& rows);
 
 /// One line per point: varied keys, replicas, then the mean and the standard error of every number.
