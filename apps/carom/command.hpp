@@ -37,6 +37,7 @@ void add_run(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
+void add_analyze(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);

@@ -61,6 +61,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_check(app, action);
   add_info(app, action);
   add_convert(app, action);
+  add_analyze(app, action);
   add_draw(app, action);
   add_plot(app, action);
   add_sweep(app, action);

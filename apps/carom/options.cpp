@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "carom/observe/registry.hpp"
 #include "command.hpp"
 
 namespace carom::program {
@@ -120,6 +121,20 @@ CLI::Option* add_solver(CLI::App& command, SolverKind& target) {
   static const std::map<std::string, SolverKind> solvers{{"fast", SolverKind::fast},
                                                          {"reference", SolverKind::reference}};
   return add_choice(command, "--solver", target, solvers, "which solver: fast or reference; both give the same bits");
+}
+
+CLI::Option* add_observables(CLI::App& command, const std::string& name, std::vector<ObserveSpec>& target,
+                             const std::string& description) {
+  const auto parse = [](const std::string& option, const std::string& text) {
+    std::vector<ObserveSpec> specs;
+    for (const std::string& word : CLI::detail::split(text, ',')) {
+      specs.push_back({.name = CLI::detail::trim_copy(word)});
+    }
+    const std::vector<Problem> problems = problems_of(specs);
+    if (!problems.empty()) throw UsageError(fmt::format("{} {}: {}", option, text, problems.front().message));
+    return specs;
+  };
+  return add(command, name, target, description, "NAME,...", parse);
 }
 
 void add_parallel(CLI::App& command, ParallelOptions& target) {

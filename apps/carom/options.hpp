@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "carom/run/parallel.hpp"
+#include "carom/run/settings.hpp"
 #include "carom/window/solver.hpp"
 
 namespace carom::program {
@@ -46,6 +47,9 @@ CLI::Option* add_path(CLI::App& command, const std::string& name, std::string& t
 
 /// The option --solver.
 CLI::Option* add_solver(CLI::App& command, SolverKind& target);
+/// An option whose value is a list of observables, "NAME,NAME". Throws UsageError for a name that there is not.
+CLI::Option* add_observables(CLI::App& command, const std::string& name, std::vector<ObserveSpec>& target,
+                             const std::string& description);
 /// --threads and --patches.
 void add_parallel(CLI::App& command, ParallelOptions& target);
 

@@ -34,6 +34,7 @@ struct RunOptions {
   std::optional<double> every;
   std::optional<TrajectoryFormat> trajectory;
   std::string log_collisions;
+  std::vector<ObserveSpec> observe;
   bool overwrite = false;
   bool json = false;
   bool quiet = false;
@@ -74,6 +75,7 @@ RunSettings settled(RunSettings settings, const RunOptions& options) {
     throw UsageError(options.scene + ": when should the run end? Give --until TIME or --collisions NUMBER");
   }
   if (options.equilibrate) settings.equilibrate = *options.equilibrate;
+  if (!options.observe.empty()) settings.observe = options.observe;
   if (options.every) settings.every = options.every;
   if (options.every) settings.trajectory = TrajectoryFormat::xyz;
   if (options.trajectory) settings.trajectory = *options.trajectory;
@@ -84,6 +86,12 @@ RunSettings settled(RunSettings settings, const RunOptions& options) {
     throw Error(fmt::format("until is {}: no run goes beyond time {}", *settings.until, kLatestTime));
   }
   return settings;
+}
+
+std::string observable_names() {
+  std::string names;
+  for (const ObservableKind& kind : observable_kinds()) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return names;
 }
 
 void reseed(Scene& scene, std::uint64_t seed) {
@@ -148,7 +156,9 @@ void add_run(CLI::App& app, Action& action) {
   add_count(*command, "--collisions", options->collisions,
             "stop at the first window's end at or after so many collisions");
   add_number(*command, "--equilibrate", options->equilibrate,
-             "measure the pressure from the first window after this time");
+             "start pressure and observables at the first window after this time");
+  add_observables(*command, "--observe", options->observe,
+                  "measure these observables instead of the scene's: " + observable_names());
   add_solver(*command, options->solver);
   add_parallel(*command, options->parallel);
   add_count(*command, "--seed", options->seed, "take the place of the seeds in the scene");

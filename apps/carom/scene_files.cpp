@@ -19,7 +19,8 @@ std::string ending_of(const std::string& path) {
 }
 
 int check_command(const std::string& path) {
-  const std::vector<Problem> problems = problems_in(path);
+  const std::vector<Problem> problems =
+      problems_in(path, [](const RunSettings& run) { return problems_of(run.observe); });
   if (!problems.empty()) throw Error(problems);
   print(display_name(path) + ": no problems\n");
   return kSuccess;

@@ -17,6 +17,7 @@
 #include "carom/io/scene_file.hpp"
 #include "carom/io/xyz.hpp"
 #include "carom/run/exhaustion.hpp"
+#include "observed.hpp"
 
 namespace carom {
 namespace {
@@ -91,11 +92,13 @@ class SceneRun {
   SceneRun(Setup setup, const RunPlan& plan)
       : plan_(checked(plan)),
         scene_digest_(digest(setup.system, setup.frame)),
+        observed_(plan.settings, setup),
         log_(plan.collisions_file ? std::make_unique<CollisionLog>(*plan.collisions_file) : nullptr),
         simulation_(prepare(std::move(setup)), plan.solver, plan.parallel) {
     simulation_.measure_from(plan.settings.equilibrate);
     if (plan.interrupt != nullptr) simulation_.stop_when(*plan.interrupt);
     if (log_) simulation_.add_observer(*log_);
+    observed_.watch(simulation_);
     const RunSettings& settings = plan.settings;
     if (plan.directory && settings.every && settings.trajectory == TrajectoryFormat::xyz) {
       trajectory_.emplace(plan.directory->trajectory(), *settings.every, settings.until);
@@ -183,6 +186,7 @@ class SceneRun {
     end.record.version = version();
     end.record.compiler = compiler();
     end.record.command = plan_.command;
+    end.record.observables = observed_.finish(plan_.directory);
     if (log_) log_->finish(simulation_);
     if (trajectory_) trajectory_->finish(interrupted_);
     if (plan_.directory) {
@@ -194,6 +198,7 @@ class SceneRun {
 
   const RunPlan& plan_;
   std::string scene_digest_;
+  Observed observed_;
   std::unique_ptr<CollisionLog> log_;  // opened before scene.toml is written, so that a bad name leaves nothing behind
   Simulation simulation_;
   std::optional<Trajectory> trajectory_;

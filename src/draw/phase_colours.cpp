@@ -29,7 +29,8 @@ Colour colour_of_oklab(double lightness, double a, double b) {
           encoded(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
-Colour colour_of(double angle, double strength) {
+Colour colour_of(double angle, double modulus) {
+  const double strength = std::pow(modulus, 0.6);  // the disks of a dense fluid have moduli around 0.7: not to be grey
   const double lightness = kLightness + strength * kLightnessSwing * std::cos(angle - kLightestAngle);
   return colour_of_oklab(lightness, strength * kChroma * std::cos(angle), strength * kChroma * std::sin(angle));
 }

@@ -20,6 +20,24 @@ bool belongs_to_a_run(const std::string& name) {
   return name.starts_with("trajectory.");
 }
 
+/// What a run left in the directory of its observables, and then that directory, so that it can be removed empty.
+std::vector<fs::path> tables_of_a_run(const std::string& directory) {
+  const fs::path observables = fs::path(directory) / "observables";
+  std::error_code error;
+  std::vector<fs::path> files;
+  if (!fs::is_regular_file(observables / "index.json", error)) return files;
+  bool others = false;
+  for (fs::directory_iterator entry(observables, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const bool ours = entry->path().extension() == ".csv" || entry->path().filename() == "index.json";
+    if (ours) files.push_back(entry->path());
+    others = others || !ours;
+  }
+  if (error) throw Error("cannot be listed: " + error.message(), {observables.string()});
+  if (!others) files.push_back(observables);
+  return files;
+}
+
 std::vector<fs::path> files_of_a_run(const std::string& directory) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -28,6 +46,8 @@ std::vector<fs::path> files_of_a_run(const std::string& directory) {
     if (belongs_to_a_run(entry->path().filename().string())) files.push_back(entry->path());
     entry.increment(error);
   }
+  const std::vector<fs::path> tables = tables_of_a_run(directory);
+  files.insert(files.end(), tables.begin(), tables.end());
   if (error) throw Error("cannot be listed: " + error.message(), {directory});
   return files;
 }

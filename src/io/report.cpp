@@ -6,6 +6,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "carom/io/measurements.hpp"
+#include "measurement_json.hpp"
+
 namespace carom {
 namespace {
 
@@ -35,6 +38,8 @@ class Lines {
   void number(std::string_view label, const std::optional<double>& value, std::string_view unit = {}) {
     if (value) line(label, "{:.6g}{}", *value, unit);
   }
+
+  void add(std::string_view text) { text_.append(text); }
 
   [[nodiscard]] std::string text() const { return fmt::to_string(text_); }
 
@@ -85,7 +90,7 @@ void certify(const RunRecord& record, Lines& lines) {
 
 std::string report_json(const RunRecord& record) {
   const Summary& summary = record.summary;
-  const nlohmann::ordered_json report{
+  nlohmann::ordered_json report{
       {"disks", summary.disks},
       {"packing_fraction", number_or_null(summary.packing_fraction)},
       {"time", number_or_null(summary.time)},
@@ -119,12 +124,14 @@ std::string report_json(const RunRecord& record) {
         {"verify", summary.phases.verify},
         {"collect", summary.phases.collect}}},
   };
+  report["observables"] = io::estimates_as_json(record.observables);
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 std::string report_text(const RunRecord& record) {
   Lines lines;
   describe_run(record, lines);
+  if (!record.observables.empty()) lines.add(measurements_text(record.observables));
   certify(record, lines);
   return lines.text();
 }

@@ -75,12 +75,16 @@ SceneFile parse_scene(std::string_view text, const std::string& name) {
 
 SceneFile read_scene(const std::string& path) { return parse_scene(read_file(path), display_name(path)); }
 
-std::vector<Problem> problems_in(const std::string& path) {
+std::vector<Problem> problems_in(const std::string& path,
+                                 const std::function<std::vector<Problem>(const RunSettings&)>& more) {
   try {
     const io::ReadScene read = io::read_any(read_file(path), display_name(path));
     std::vector<Problem> problems = read.problems;
-    const std::vector<Problem> more = io::scene_problems(read);
-    problems.insert(problems.end(), more.begin(), more.end());
+    const auto add = [&problems](const std::vector<Problem>& found) {
+      problems.insert(problems.end(), found.begin(), found.end());
+    };
+    add(io::scene_problems(read));
+    if (more && read.understood) add(more(read.file.run));
     return problems;
   } catch (const Error& error) {
     return error.problems();

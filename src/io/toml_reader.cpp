@@ -33,6 +33,7 @@ class TomlReader {
     const std::vector<const toml::table*> gases = top.tables("gas");
     const toml::table* physics = top.table("physics");
     const toml::table* run = top.table("run");
+    const std::vector<const toml::table*> observe = top.tables("observe");
     top.refuse_other_keys();
     read_.understood = top.sound();
 
@@ -43,6 +44,7 @@ class TomlReader {
     for (const toml::table* gas : gases) read_gas(*gas);
     if (physics != nullptr) read_physics(*physics);
     if (run != nullptr) read_run(*run);
+    for (const toml::table* observable : observe) read_observe(*observable);
     read_.problems = problems_.in_order();
     return std::move(read_);
   }
@@ -131,6 +133,25 @@ class TomlReader {
     assign(read_.file.run.trajectory,
            section.choice("trajectory", TomlSection::Names<TrajectoryFormat>{{"xyz", TrajectoryFormat::xyz},
                                                                              {"none", TrajectoryFormat::none}}));
+  }
+
+  /// `name`, and options that only the observable knows: every other key is a number.
+  void read_observe(const toml::table& table) {
+    TomlSection section(table, "[[observe]]", problems_);
+    ObserveSpec spec;
+    spec.place = place_of(table);
+    if (section.find("name") == nullptr) {
+      section.complain(table, "this [[observe]] needs a name, e.g. name = \"pressure\"");
+    }
+    assign(spec.name, section.text("name"));
+    for (const auto& [key, value] : table) {
+      const std::string option(key.str());
+      if (option == "name") continue;
+      const toml::source_position& begin = key.source().begin;
+      spec.places[option] = problems_.at(static_cast<int>(begin.line), static_cast<int>(begin.column));
+      if (const std::optional<double> number = section.number(option)) spec.options[option] = *number;
+    }
+    if (section.sound()) read_.file.run.observe.push_back(std::move(spec));
   }
 
   ProblemList problems_;

@@ -97,6 +97,12 @@ class TomlWriter {
     if (run.equilibrate != 0) key("equilibrate", run.equilibrate);
     key("every", run.every);
     if (run.trajectory == TrajectoryFormat::xyz) append("trajectory = \"xyz\"\n");
+    for (const ObserveSpec& spec : run.observe) write_observe(spec);
+  }
+
+  void write_observe(const ObserveSpec& spec) {
+    append("\n[[observe]]\nname = {}\n", quoted(spec.name));
+    for (const auto& [option, value] : spec.options) key(option, value);
   }
 
   void write_gas(const GasSpec& gas) {

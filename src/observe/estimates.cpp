@@ -19,9 +19,9 @@ Estimate& add_estimate(Measurement& measurement, std::string name, std::string u
   estimate.blocks = result.blocks;
   if (result.error) estimate.correlation_time = result.correlation * spacing;
   if (result.blocks == 0) {
-    measurement.warnings.push_back(fmt::format("the run is too short to tell the error of {}: {} samples{}",
-                                               estimate.name, result.samples,
-                                               result.error ? ", and it may be larger than shown" : ""));
+    estimate.warnings.push_back(fmt::format("the run is too short to tell the error: {} sample{}{}", result.samples,
+                                            result.samples == 1 ? "" : "s",
+                                            result.error ? ", and it may be larger than shown" : ""));
   }
   measurement.estimates.push_back(std::move(estimate));
   return measurement.estimates.back();

@@ -14,11 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "bin_samples.hpp"
 #include "carom/base/error.hpp"
+#include "carom/observe/batches.hpp"
 #include "carom/observe/blocking.hpp"
 #include "carom/observe/theory.hpp"
 #include "carom/order/pairs.hpp"
+#include "columns.hpp"
 #include "contact.hpp"
 #include "estimates.hpp"
 #include "ideal_pairs.hpp"
@@ -29,7 +30,7 @@ namespace {
 
 // Mixtures of more kinds have too many partial functions to be read.
 constexpr std::size_t kMostKinds = 3;
-constexpr double kMeanFreeTimes = 16;
+constexpr double kMeanFreeTimes = 8;
 constexpr double kStandardBins = 250;
 constexpr double kStandardRange = 5;    // in the largest diameter
 constexpr double kShortestRange = 1.5;  // likewise
@@ -40,7 +41,7 @@ struct Partial {
   std::string label;             // "g(r)", "g(r) of A and B"
   double pairs = 0;              // of disks
   std::vector<double> expected;  // of an ideal gas, by bin
-  BinSamples g;
+  Batches g;                     // by bin
   std::optional<ContactFit> fit;
   Blocking contact;
 
@@ -48,14 +49,24 @@ struct Partial {
   double contact_sum = 0;       // likewise
 };
 
+/// Z − 1 over the contact value, where that is the whole virial: equal elastic disks in a periodic box.
+std::optional<double> excess_per_contact(const System& system) {
+  const bool periodic = system.box.periodic(0) && system.box.periodic(1);
+  if (!periodic || !system.physics.elastic() || system.species.size() != 1) return std::nullopt;
+  const auto disks = static_cast<double>(system.size());
+  return 2 * packing_fraction(system) * (disks - 1) / disks;
+}
+
 class Rdf final : public Observable {
  public:
   Rdf(const System& system, double range, std::size_t bins, double interval)
-      : interval_(interval), range_(range), bins_(bins), fluid_(fluid_of_equal_disks(system)) {
-    for (const std::uint32_t kind : system.species_of) {
-      if (count_of_kind_.size() <= kind) count_of_kind_.resize(kind + 1, 0);
-      ++count_of_kind_[kind];
-    }
+      : interval_(interval),
+        range_(range),
+        bins_(bins),
+        excess_per_contact_(excess_per_contact(system)),
+        fluid_(fluid_of_equal_disks(system)),
+        count_of_kind_(system.species.size(), 0) {
+    for (const std::uint32_t kind : system.species_of) ++count_of_kind_[kind];
     if (system.species.size() <= kMostKinds) add_partials(system);
     if (system.species.size() != 1) add_total(system);
     for (const Partial& partial : partials_) {
@@ -115,15 +126,16 @@ class Rdf final : public Observable {
     if (!(partial.pairs > 0)) return;
     for (std::size_t bin = 0; bin < bins_; ++bin) {
       const double expected = partial.pairs * partial.expected[bin];
-      partial.counted[bin] = expected > 0 ? partial.counted[bin] / expected : 0;
+      partial.g.add(bin, expected > 0 ? partial.counted[bin] / expected : 0);
     }
-    partial.g.add(partial.counted);
+    partial.g.end_sample();
     if (partial.fit) partial.contact.add(partial.contact_sum / partial.pairs);
   }
 
   double interval_;
   double range_;
   std::size_t bins_;
+  std::optional<double> excess_per_contact_;
   std::optional<EqualDisks> fluid_;
   double reach_ = 0;  // pairs farther apart are of no interest
 
@@ -155,7 +167,7 @@ void Rdf::add_partials(const System& system) {
                       .label = kinds > 1 ? fmt::format("g(r) of {} and {}", name_a, name_b) : "g(r)",
                       .pairs = a == b ? n_a * (n_a - 1) / 2 : n_a * count_of_kind_[b],
                       .expected = expected_of(ideal),
-                      .g = BinSamples(bins_),
+                      .g = Batches(bins_),
                       .fit = ContactFit(ideal, radius_a + radius_b, packing_fraction(system)),
                       .contact = {},
                       .counted = {}};
@@ -165,33 +177,23 @@ void Rdf::add_partials(const System& system) {
 }
 
 void Rdf::add_total(const System& system) {
-  const double n = static_cast<double>(system.size());
-  // Between walls the kinds have different room: each pair of kinds has its own ideal gas.
-  std::vector<double> expected(bins_, 0);
-  double pairs = 0;
-  for (std::size_t a = 0; a < count_of_kind_.size(); ++a) {
-    for (std::size_t b = a; b < count_of_kind_.size(); ++b) {
-      const double n_a = count_of_kind_[a];
-      const double of_kinds = a == b ? n_a * (n_a - 1) / 2 : n_a * count_of_kind_[b];
-      pairs += of_kinds;
-      if (!system.box.has_walls()) continue;
-      const IdealPairs ideal(system.box, system.species[a].radius, system.species[b].radius);
-      for (std::size_t bin = 0; bin < bins_; ++bin) {
-        expected[bin] += of_kinds * ideal.between(edge(bin), edge(bin + 1));
-      }
+  const auto n = static_cast<double>(system.size());
+  double mean_radius = 0;
+  for (std::size_t k = 0; k < system.size(); ++k) mean_radius += system.radius(k) / n;
+  std::vector<double> expected = expected_of(IdealPairs(system.box, mean_radius, mean_radius));
+  if (!partials_.empty()) {  // known better: kinds have different room between walls
+    std::fill(expected.begin(), expected.end(), 0);
+    for (const Partial& partial : partials_) {
+      const double share = partial.pairs / (n * (n - 1) / 2);
+      for (std::size_t bin = 0; bin < bins_; ++bin) expected[bin] += share * partial.expected[bin];
     }
-  }
-  if (system.box.has_walls()) {
-    for (double& number : expected) number /= pairs;
-  } else {
-    expected = expected_of(IdealPairs(system.box, 0, 0));
   }
   total_ = partials_.size();
   partials_.push_back({.suffix = "",
                        .label = "g(r) of all",
                        .pairs = n * (n - 1) / 2,
                        .expected = std::move(expected),
-                       .g = BinSamples(bins_),
+                       .g = Batches(bins_),
                        .fit = {},
                        .contact = {},
                        .counted = {}});
@@ -206,15 +208,17 @@ Measurement Rdf::result() const {
   }
   for (const Partial& partial : partials_) {
     if (!(partial.pairs > 0)) continue;
-    partial.g.append_to(table.columns, {"g" + partial.suffix, partial.label, "", {}});
+    append_columns(table, {"g" + partial.suffix, partial.label, "", {}}, means_of(partial.g));
     if (!partial.fit) continue;
     Estimate& contact = add_estimate(measurement, "contact_value" + partial.suffix, "", partial.contact, interval_);
-    if (!fluid_) continue;
-    contact.theory = contact_value(fluid_->packing_fraction);
-    contact.theory_source = "Kolafa and Rottner 2006, infinite system";
-    Estimate z = scaled(contact, "Z", "", 2 * fluid_->packing_fraction * (fluid_->disks - 1) / fluid_->disks);
+    if (fluid_) {
+      contact.theory = contact_value(fluid_->packing_fraction);
+      contact.theory_source = "Kolafa and Rottner 2006, infinite system";
+    }
+    if (!excess_per_contact_) continue;
+    Estimate z = scaled(contact, "Z", "", *excess_per_contact_);
     z.value += 1;
-    z.theory = kolafa_rottner(fluid_->packing_fraction);
+    if (fluid_) z.theory = kolafa_rottner(fluid_->packing_fraction);
     measurement.estimates.push_back(std::move(z));
   }
   measurement.tables.push_back(std::move(table));
@@ -236,12 +240,12 @@ ObservableKind rdf_kind() {
       .summary = "pair distribution g(r) and its contact value",
       .from_frames = true,
       .options =
-          {interval_option("16 mean free times"),
+          {interval_option("8 mean free times"),
            {.name = "r_max",
             .meaning = "largest distance",
             .standard = "5 diameters, at most half the box",
             .least = 1e-300},
-           {.name = "bins", .meaning = "number of bins", .standard = "250", .whole = true, .least = 1, .most = 1e6}},
+           {.name = "bins", .meaning = "number of bins", .standard = "250", .whole = true, .least = 1, .most = 1e5}},
       .make = [](const Subject& subject, const ObservableOptions& options) -> std::unique_ptr<Observable> {
         const System& system = subject.system;
         if (system.box.boundary[0] == Boundary::open || system.box.boundary[1] == Boundary::open) {

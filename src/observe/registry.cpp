@@ -87,7 +87,9 @@ std::size_t ObservableOptions::count(std::string_view option, std::size_t standa
 
 const std::vector<ObservableKind>& observable_kinds() {
   static const std::vector<ObservableKind> kinds{
-      pressure_kind(),
+      msd_kind(),  pressure_kind(),      pressure_tensor_kind(),  psi6_kind(),        rate_kind(),
+      rdf_kind(),  speeds_kind(),        structure_factor_kind(), temperature_kind(), temperature_profile_kind(),
+      vacf_kind(), wall_pressure_kind(),
   };
   return kinds;
 }

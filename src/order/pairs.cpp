@@ -12,8 +12,22 @@ namespace {
 
 // A third of the range: the cells that are searched then cover little more than the circle.
 constexpr double kCellsPerRange = 3;
+constexpr double kMostSides = 20;
 
 }  // namespace
+
+void check_pair_range(std::string_view what, const Box& box, double range) {
+  if (!(range > 0) || !std::isfinite(range * range)) {
+    throw Error(fmt::format("{} is {}: it must be positive and finite", what, range));
+  }
+  for (const int axis : {0, 1}) {
+    const double side = axis == 0 ? box.size.x : box.size.y;
+    if (box.periodic(axis) && range > kMostSides * side) {
+      throw Error(fmt::format("{} is {}: that is more than {} times the periodic box's side of {}", what, range,
+                              kMostSides, side));
+    }
+  }
+}
 
 std::int64_t PairGrid::Axis::cell_of(double coordinate) const noexcept {
   if (!(width > 0)) return 0;
@@ -46,9 +60,7 @@ PairGrid::PairGrid(const Box& box, const Frame& frame, double range)
     : range_squared_(range * range),
       x_(make_axis(frame.x, box.size.x, box.boundary[0])),
       y_(make_axis(frame.y, box.size.y, box.boundary[1])) {
-  if (!(range > 0) || !std::isfinite(range_squared_)) {
-    throw Error(fmt::format("pairs up to a distance of {}: it must be positive and finite", range));
-  }
+  check_pair_range("the range of pairs", box, range);
   // At least as coarse as makes one cell a disk.
   const double count = static_cast<double>(std::max<std::size_t>(frame.size(), 1));
   const double finest = std::max(std::sqrt(x_.width * y_.width / count), std::max(x_.width, y_.width) / count);

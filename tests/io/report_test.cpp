@@ -42,7 +42,8 @@ TEST(ReportJson, HasThePromisedKeysInOrder) {
   EXPECT_EQ(keys,
             "disks packing_fraction time collisions wall_collisions wall_seconds collisions_per_second threads patches "
             "solver simd windows windows_repaired ties collapses max_overlap energy_drift momentum_drift temperature "
-            "pressure digest scene_digest version command compiler patches_repaired duplicated_work phase_seconds ");
+            "pressure digest scene_digest version command compiler patches_repaired duplicated_work phase_seconds "
+            "observables ");
 }
 
 TEST(ReportJson, NumbersReadBackAndWhatIsAbsentIsNull) {

@@ -97,7 +97,7 @@ TEST(PairGrid, TakesNoDisksOneDiskAndALineOfThem) {
 
 TEST(PairGrid, NeedsAProperRange) {
   const Arrangement points = random_points(3, {1, 1}, 1);
-  for (const double range : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e200}) {
+  for (const double range : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e200, 20.1}) {
     EXPECT_THROW(PairGrid(points.system.box, points.frame, range), Error) << range;
   }
 }

@@ -169,13 +169,11 @@ TEST(Voronoi, SquareLatticesHaveFourNeighboursInAnyBox) {
 
 TEST(Voronoi, ATurnedSquareLatticeHasNoDiagonals) {
   for (const double spacing : {1.0, 1 / 7.0, 0.3}) {
-    const double side = 10 * spacing;  // lattice vectors (4, 3)/5 and (-3, 4)/5
+    // Multiples of the lattice vector (4, 3)/5 are all 25 sites in a box of side 5.
+    const double side = 5 * spacing;
     Arrangement lattice({side, side});
-    for (int i = 0; i < 10; ++i) {
-      for (int j = 0; j < 10; ++j) {
-        lattice.add({wrap((4 * i - 3 * j) * spacing / 5, side).coordinate,
-                     wrap((3 * i + 4 * j) * spacing / 5, side).coordinate});
-      }
+    for (int i = 0; i < 25; ++i) {
+      lattice.add({wrap(0.8 * i * spacing, side).coordinate, wrap(0.6 * i * spacing, side).coordinate});
     }
     const VoronoiCells cells = voronoi_cells(lattice.system, lattice.frame);
     for (std::size_t k = 0; k < cells.size(); ++k) {

@@ -18,6 +18,7 @@ class OutputDirectory {
   [[nodiscard]] std::string scene() const { return in("scene.toml"); }
   [[nodiscard]] std::string final_frame() const { return in("final.xyz"); }
   [[nodiscard]] std::string trajectory() const { return in("trajectory.xyz"); }
+  [[nodiscard]] std::string observables() const { return in("observables"); }  ///< a directory of its own
 
  private:
   [[nodiscard]] std::string in(std::string_view name) const;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "carom/run/measurement.hpp"
 #include "carom/run/summary.hpp"
 
 namespace carom {
@@ -15,6 +17,7 @@ struct RunRecord {
   std::string version;
   std::string command;   ///< as typed
   std::string compiler;  ///< name and version
+  std::vector<Measurement> observables = {};
 };
 
 /// One JSON object in a fixed order of keys; numbers read back to the same bits, what has no value is null.

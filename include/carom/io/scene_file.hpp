@@ -1,6 +1,7 @@
 // Scene files: what a person, another program or an earlier run wrote, as a Scene.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,10 @@ SceneFile read_scene(const std::string& path);
 SceneFile parse_scene(std::string_view text, const std::string& name);
 
 /// Everything that is wrong with a scene file: what read_scene() would throw and, as far as what could be read
-/// allows, what realize() would throw. Empty if the scene can be simulated. Throws nothing for bad input.
-std::vector<Problem> problems_in(const std::string& path);
+/// allows, what realize() would throw, and what `more` finds in the settings. Empty if the scene can be simulated.
+/// Throws nothing for bad input.
+std::vector<Problem> problems_in(const std::string& path,
+                                 const std::function<std::vector<Problem>(const RunSettings&)>& more = {});
 
 /// A scene file in TOML from which parse_scene() makes the same scene and settings, bit for bit.
 std::string to_toml(const SceneFile& file);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "carom/base/vec2.hpp"
@@ -11,11 +12,15 @@
 
 namespace carom {
 
+/// Throws Error unless `range` (length) is positive and finite, and no more than 20 times a periodic side: farther than
+/// that there is nothing but images. `what` names the range in the message.
+void check_pair_range(std::string_view what, const Box& box, double range);
+
 /// The disks of one frame sorted into cells, for pairs up to one distance. A copy: the frame may go.
 class PairGrid {
  public:
-  /// `range` (length) is the largest distance of centres; any size, also beyond a periodic box. Throws Error unless it
-  /// is positive and finite.
+  /// `range` (length) is the largest distance of centres; it may reach beyond a periodic box. Throws Error where
+  /// check_pair_range() does.
   PairGrid(const Box& box, const Frame& frame, double range);
 
   /// Calls visit(i, j, r) once for every two disks and image with |r| ≤ range, r from disk i to disk j or its periodic
