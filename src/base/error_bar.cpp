@@ -56,7 +56,9 @@ int leading_exponent(double value, int last) {
 std::string with_error(double value, std::optional<double> error) {
   constexpr int kMostDigitsBeforePoint = 6;
   constexpr int kMostZerosBehindPoint = 4;
-  if (!std::isfinite(value) || !error || !(*error > 0) || !std::isfinite(*error)) return fmt::format("{:.6g}", value);
+  constexpr double kRounding = 1e-13;  // of a value: smaller errors are those of doubles
+  const bool shows = error && *error > kRounding * std::abs(value) && std::isfinite(*error);
+  if (!std::isfinite(value) || !shows) return fmt::format("{:.6g}", value);
   const Decimal shown = rounded_error(*error);
   const int leading = leading_exponent(value, shown.exponent);
   const int first = std::max(leading, shown.exponent + (shown.digits > 9 ? 1 : 0));

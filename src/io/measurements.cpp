@@ -87,6 +87,22 @@ std::string described(const Estimate& estimate) {
   return text;
 }
 
+/// All warnings, each once; those of one estimate alone with its name.
+std::vector<std::string> warnings_of(const Measurement& measurement) {
+  std::vector<std::string> warnings = measurement.warnings;
+  for (const Estimate& estimate : measurement.estimates) {
+    for (const std::string& warning : estimate.warnings) {
+      const auto has_it = [&warning](const Estimate& other) {
+        return std::find(other.warnings.begin(), other.warnings.end(), warning) != other.warnings.end();
+      };
+      const auto sharing = std::count_if(measurement.estimates.begin(), measurement.estimates.end(), has_it);
+      const std::string text = sharing > 1 ? warning : fmt::format("{}: {}", estimate.name, warning);
+      if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
 
 std::string table_csv(const Table& table) {
@@ -142,14 +158,11 @@ std::string measurements_text(const std::vector<Measurement>& measurements) {
   for (const Measurement& measurement : measurements) {
     std::string_view label = measurement.name;
     const auto line = [&](std::string_view what) {
-      fmt::format_to(end, "  {:<18}{}\n", label, what);
+      fmt::format_to(end, "  {:<20} {}\n", label, what);
       label = "";
     };
-    for (const Estimate& estimate : measurement.estimates) {
-      line(described(estimate));
-      for (const std::string& warning : estimate.warnings) line(fmt::format("  warning: {}", warning));
-    }
-    for (const std::string& warning : measurement.warnings) line(fmt::format("warning: {}", warning));
+    for (const Estimate& estimate : measurement.estimates) line(described(estimate));
+    for (const std::string& warning : warnings_of(measurement)) line("warning: " + warning);
     std::string tables;
     for (const Table& table : measurement.tables) tables += (tables.empty() ? "" : ", ") + table.name;
     if (!tables.empty()) line((measurement.tables.size() == 1 ? "table " : "tables ") + tables);

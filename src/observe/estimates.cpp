@@ -18,7 +18,9 @@ Estimate& add_estimate(Measurement& measurement, std::string name, std::string u
   estimate.samples = result.samples;
   estimate.blocks = result.blocks;
   if (result.error) estimate.correlation_time = result.correlation * spacing;
-  if (result.blocks == 0) {
+  constexpr double kRounding = 1e-12;
+  const bool constant = result.error && *result.error <= kRounding * std::abs(result.mean);
+  if (result.blocks == 0 && !constant) {
     estimate.warnings.push_back(fmt::format("the run is too short to tell the error: {} sample{}{}", result.samples,
                                             result.samples == 1 ? "" : "s",
                                             result.error ? ", and it may be larger than shown" : ""));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "carom/base/error.hpp"
@@ -11,8 +12,8 @@
 namespace carom {
 namespace {
 
-/// More frames in a window than anyone wants.
-constexpr double kMostFramesPerWindow = 1e6;
+/// Where nothing happens any more, windows grow without end; intervals do not.
+constexpr double kMostFramesPerWindow = 1e5;
 
 std::vector<Problem> with_place(const std::vector<Problem>& problems, const Place& place) {
   std::vector<Problem> placed = problems;
@@ -40,8 +41,11 @@ ObservableSet::ObservableSet(const std::vector<ObserveSpec>& specs, const Subjec
   if (!problems.empty()) throw Error(problems);
 }
 
+/// Infinity if it gets none.
 double ObservableSet::next_frame(const Member& member) const noexcept {
-  return start_ + static_cast<double>(member.frames) * member.observable->interval();
+  const double interval = member.observable->interval();
+  if (!(interval > 0) || member.stopped) return std::numeric_limits<double>::infinity();
+  return start_ + static_cast<double>(member.frames) * interval;
 }
 
 void ObservableSet::on_window(const WindowRecord& window) {
@@ -52,26 +56,29 @@ void ObservableSet::on_window(const WindowRecord& window) {
   hand_out_frames(window);
 }
 
+void ObservableSet::stop_the_hurried(const WindowRecord& window) {
+  for (Member& member : members_) {
+    const double interval = member.observable->interval();
+    const bool hurried = interval > 0 && window.before.clock.length > kMostFramesPerWindow * interval;
+    if (hurried && !member.stopped) {
+      member.stopped = true;
+      member.stopped_at = window.before.clock.start;
+    }
+  }
+}
+
 void ObservableSet::hand_out_frames(const WindowRecord& window) {
+  stop_the_hurried(window);
   const double end = window.before.clock.start + window.before.clock.length;
   std::optional<WindowReplay> replay;
   for (;;) {
     double next = end;
-    for (const Member& member : members_) {
-      const double interval = member.observable->interval();
-      if (!(interval > 0)) continue;
-      if (window.before.clock.length > kMostFramesPerWindow * interval) {
-        throw Error(fmt::format("{}: an interval of {} is less than a millionth of a window, which lasts {}",
-                                member.observable->name(), interval, window.before.clock.length),
-                    member.spec.place);
-      }
-      next = std::min(next, next_frame(member));
-    }
+    for (const Member& member : members_) next = std::min(next, next_frame(member));
     if (!(next < end)) return;
     if (!replay) replay.emplace(window);
     const Frame& frame = replay->at(next);
     for (Member& member : members_) {
-      if (!(member.observable->interval() > 0) || next_frame(member) != next) continue;
+      if (next_frame(member) != next) continue;
       member.observable->on_frame(window.system, frame);
       ++member.frames;
     }
@@ -87,7 +94,13 @@ void ObservableSet::on_frame(const System& system, const Frame& frame) {
 
 std::vector<Measurement> ObservableSet::results() const {
   std::vector<Measurement> results;
-  for (const Member& member : members_) results.push_back(member.observable->result());
+  for (const Member& member : members_) {
+    results.push_back(member.observable->result());
+    if (!member.stopped) continue;
+    results.back().warnings.push_back(
+        fmt::format("no more frames from time {} on: windows there are more than {} times as long as the interval, {}",
+                    member.stopped_at, kMostFramesPerWindow, member.observable->interval()));
+  }
   return results;
 }
 
@@ -97,6 +110,8 @@ void ObservableSet::exchange(SumsExchange sums) {
   for (Member& member : members_) {
     SumsExchange own = sums.below(member.observable->name());
     own.number("frames", member.frames);
+    own.number("stopped", member.stopped);
+    own.number("stopped_at", member.stopped_at);
     for (const auto& [option, value] : member.spec.options) {
       double kept = value;
       own.number("option/" + option, kept);

@@ -66,7 +66,7 @@ class PressureTensor final : public Observable {
       Estimate& z = add_estimate(all, kNames[c], "", samples_[c], spacing, sums_[c] / time_);
       if (fluid_) {
         z.theory = c == 1 ? 0 : kolafa_rottner(fluid_->packing_fraction);
-        z.theory_source = "Kolafa and Rottner 2006, infinite system";
+        z.theory_source = c == 1 ? "isotropy" : "Kolafa and Rottner 2006, infinite system";
       }
     }
     Measurement measurement{.name = std::string(name())};

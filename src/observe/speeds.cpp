@@ -28,7 +28,7 @@
 namespace carom {
 namespace {
 
-constexpr double kStandardContacts = 16;
+constexpr double kStandardContacts = 8;
 // All speeds together, fine enough for the Kolmogorov–Smirnov distance.
 constexpr std::size_t kFineBins = 8192;
 constexpr double kFinePerUnit = 1024;
@@ -301,7 +301,7 @@ ObservableKind speeds_kind() {
           .from_frames = true,
           .options = {{.name = "contacts",
                        .meaning = "contacts per disk between two samples of the distribution",
-                       .standard = "16",
+                       .standard = "8",
                        .whole = false,
                        .least = 0},
                       {.name = "interval",

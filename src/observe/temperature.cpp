@@ -4,6 +4,10 @@
 // (1983)): T = T0/(1 + t/τ)², 1/τ = (1 − e²) Γ0/4 with the collision rate Γ0 at T0 (here Enskog's), until clusters
 // form. The fit: least squares of 1/√T against t while T is at least fit_down_to × the first temperature. Sampled at
 // the ends of windows; where the gas cools, 16 times in each window, so that samples follow its slowing down.
+//
+// Error of 1/τ: the n collisions of the fit take away energies in proportion to v_n², which is distributed
+// exponentially; if they are independent, their number and sum fluctuate by √(2/n) of the sum (a compound Poisson
+// process).
 #include <cmath>
 #include <optional>
 
@@ -19,7 +23,7 @@
 namespace carom {
 namespace {
 
-constexpr double kStandardFit = 0.1;
+constexpr double kStandardFit = 0.25;
 constexpr int kSamplesPerWindow = 16;  // where the gas cools: it does so within a window
 
 /// Intercept and slope of y = a + b x from the means of x, x², y, x y.
@@ -54,9 +58,13 @@ class Temperature final : public Observable {
     }
     WindowReplay replay(window);
     const Clock& clock = window.before.clock;
+    auto collision = window.collisions.begin();
     for (int k = 0; k < kSamplesPerWindow; ++k) {
-      sample(window.system, replay.at(clock.start + k * (clock.length / kSamplesPerWindow)));
+      const double offset = k * (clock.length / kSamplesPerWindow);
+      for (; collision != window.collisions.end() && collision->time < offset; ++collision) ++collisions_;
+      sample(window.system, replay.at(clock.start + offset));
     }
+    collisions_ += static_cast<std::uint64_t>(window.collisions.end() - collision);
   }
   void on_frame(const System& system, const Frame& frame) override { sample(system, frame); }
 
@@ -78,6 +86,8 @@ class Temperature final : public Observable {
     sums.number("start", start_);
     sums.number("first", first_);
     sums.number("last", last_);
+    sums.number("collisions", collisions_);
+    sums.number("fitted_collisions", fitted_collisions_);
     samples_.exchange(sums.below("samples"));
     series_.exchange(sums.below("series"));
     fit_.exchange(sums.below("fit"));
@@ -102,6 +112,7 @@ class Temperature final : public Observable {
     fit_.add(2, y);
     fit_.add(3, x * y);
     fit_.end_sample();
+    fitted_collisions_ = collisions_;
   }
 
   /// 1/τ by theory for a start at kT.
@@ -120,11 +131,11 @@ class Temperature final : public Observable {
       return line.slope / line.intercept;
     });
     add_estimate(measurement, "initial_kT", "energy", initial.value, initial.error).samples = fit_.samples();
-    Estimate& cooling = add_estimate(measurement, "cooling_rate", "1/time", rate.value, rate.error);
+    Estimate& cooling = add_estimate(measurement, "cooling_rate", "1/time", rate.value);
+    if (fitted_collisions_ > 0) cooling.error = rate.value * std::sqrt(2 / static_cast<double>(fitted_collisions_));
     cooling.samples = fit_.samples();
     cooling.theory = theoretical_rate(initial.value);
     if (cooling.theory) cooling.theory_source = "Haff 1983, Enskog's collision rate";
-    if (!rate.error) cooling.warnings.emplace_back("the run is too short to tell the error");
   }
 
   [[nodiscard]] Table table() const {
@@ -149,9 +160,11 @@ class Temperature final : public Observable {
   std::optional<EqualDisks> gas_;
 
   bool started_ = false;
-  double start_ = 0;  // time of the first sample
-  double first_ = 0;  // its kT
-  double last_ = 0;   // time of the last sample
+  double start_ = 0;                     // time of the first sample
+  double first_ = 0;                     // its kT
+  double last_ = 0;                      // time of the last sample
+  std::uint64_t collisions_ = 0;         // since the first sample
+  std::uint64_t fitted_collisions_ = 0;  // up to the last one that is fitted
   Blocking samples_;
   TimeSeries series_;
   Batches fit_{4};  // of x = t − start, x², y = 1/√kT, x y
@@ -165,7 +178,7 @@ ObservableKind temperature_kind() {
           .from_frames = true,
           .options = {{.name = "fit_down_to",
                        .meaning = "fit Haff's law down to this share of the first temperature",
-                       .standard = "0.1",
+                       .standard = "0.25",
                        .whole = false,
                        .least = 0,
                        .most = 1}},

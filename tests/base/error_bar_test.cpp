@@ -53,6 +53,7 @@ TEST(ErrorBar, ShowsErrorsLargerThanTheValue) {
 TEST(ErrorBar, HasNoBracketsWithoutAnError) {
   EXPECT_EQ(with_error(1.0 / 3, {}), "0.333333");
   EXPECT_EQ(with_error(2, 0.0), "2");
+  EXPECT_EQ(with_error(1.00000000000000089, 1.3e-16), "1");
   EXPECT_EQ(with_error(2, std::nan("")), "2");
   EXPECT_EQ(with_error(2, INFINITY), "2");
   EXPECT_EQ(with_error(std::nan(""), 1.0), "nan");

@@ -35,9 +35,9 @@ void expect_near(const Frame& actual, const Frame& expected, const Box& box) {
   }
 }
 
-class OfScenes : public testing::TestWithParam<Scene> {};
+class Replayed : public testing::TestWithParam<Scene> {};
 
-TEST_P(OfScenes, ShowsWhatProbesShow) {
+TEST_P(Replayed, ShowsWhatProbesShow) {
   Simulation simulation(realize(GetParam()));
   Replaying replaying;
   simulation.add_observer(replaying);
@@ -66,7 +66,7 @@ Scene granular(Boundary boundary) {
   return scene;
 }
 
-INSTANTIATE_TEST_SUITE_P(Replay, OfScenes,
+INSTANTIATE_TEST_SUITE_P(Replay, Replayed,
                          testing::Values(test::gas(60, 0.6), test::gas(60, 0.3, Boundary::reflecting),
                                          test::gas(30, 0.2, Boundary::open), granular(Boundary::periodic),
                                          granular(Boundary::reflecting)));

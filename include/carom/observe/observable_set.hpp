@@ -41,9 +41,12 @@ class ObservableSet final : public Observer {
     ObserveSpec spec;
     std::unique_ptr<Observable> observable;
     std::uint64_t frames = 0;  // handed out so far
+    bool stopped = false;      // no more frames since …
+    double stopped_at = 0;
   };
 
   [[nodiscard]] double next_frame(const Member& member) const noexcept;
+  void stop_the_hurried(const WindowRecord& window);
   void hand_out_frames(const WindowRecord& window);
 
   std::vector<Member> members_;
