@@ -111,7 +111,8 @@ std::vector<std::string> draw_sweep(const std::string& directory) {
 }
 
 void add_plot(CLI::App& app, Action& action) {
-  CLI::App* command = add_command(app, "plot", "Plots of what a run or a sweep found", "carom plot run");
+  CLI::App* command = add_command(app, "plot", "Plots of what a run or a sweep found",
+                                  "carom run scenes/gas.toml --observe speeds --out observed\n  carom plot observed");
   const auto options = std::make_shared<PlotOptions>();
   command->add_option("DIR", options->directory, "directory of a run or a sweep")->required()->type_name("");
   command->add_option("NAME", options->names, "only these plots, or those of these observables")->type_name("");

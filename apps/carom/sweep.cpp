@@ -31,6 +31,7 @@ struct SweepOptions {
   std::optional<double> until;
   std::optional<std::uint64_t> collisions;
   std::optional<double> equilibrate;
+  std::vector<ObserveSpec> observe;
   std::optional<std::uint64_t> seed;
   SolverKind solver = SolverKind::fast;
   bool json = false;
@@ -43,6 +44,7 @@ SceneFile settled(SceneFile file, const SweepOptions& options) {
     file.run.until = options.until;
     file.run.collisions = options.collisions;
   }
+  if (!options.observe.empty()) file.run.observe = options.observe;
   if (options.equilibrate) file.run.equilibrate = *options.equilibrate;
   if (options.seed) {
     if (file.scene.gas.empty()) throw UsageError("--seed: the scene has no [[gas]], nothing in it is random");
@@ -155,7 +157,7 @@ int sweep_command(const SweepOptions& options) {
 void add_sweep(CLI::App& app, Action& action) {
   CLI::App* command = add_command(app, "sweep", "Run a scene many times with some of its numbers varied",
                                   "carom sweep scenes/gas.toml --vary packing=0.3:0.6:0.1 --replicas 2 --threads 2 "
-                                  "--collisions 2000 --out sweep");
+                                  "--collisions 2000 --out sweep --quiet");
   mention_simd_variable(*command);
   const auto options = std::make_shared<SweepOptions>();
   command->add_option("SCENE", options->scene, "the scene file")->required()->type_name("");
@@ -176,6 +178,8 @@ void add_sweep(CLI::App& app, Action& action) {
   add_count(*command, "--collisions", options->collisions,
             "stop each at the first window's end at or after so many collisions");
   add_number(*command, "--equilibrate", options->equilibrate, "measure from the first window after this time");
+  add_observables(*command, "--observe", options->observe,
+                  "measure these observables instead of the scene's; 'carom run --help' lists them");
   add_solver(*command, options->solver);
   add_count(*command, "--seed", options->seed,
             "take the place of the seeds in the scene, from which those of the jobs "

@@ -134,7 +134,7 @@ std::vector<Measurement> read_measurements(const std::string& directory, bool ta
   if (!fs::exists(path, ignored)) return {};
   return read_json(path, [&](const json& index) {
     std::vector<Measurement> measurements;
-    for (const json& entry : index) measurements.push_back(measurement_of(entry, path, tables));
+    for (const json& entry : index.at("observables")) measurements.push_back(measurement_of(entry, path, tables));
     return measurements;
   });
 }
