@@ -40,6 +40,8 @@ void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_analyze(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
+void add_plot(CLI::App& app, Action& action);
+void add_sweep(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
 
 /// A command with a description and an example shown below its help.

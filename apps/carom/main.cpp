@@ -64,6 +64,8 @@ void add_commands(CLI::App& app, Action& action) {
   add_convert(app, action);
   add_analyze(app, action);
   add_draw(app, action);
+  add_plot(app, action);
+  add_sweep(app, action);
   add_bench(app, action);
   add_version_flag(app);
 }

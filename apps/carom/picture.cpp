@@ -10,7 +10,8 @@
 #include "carom/carom.hpp"
 #include "command.hpp"
 #ifdef CAROM_HAS_DRAW
-#include "carom/draw/state.hpp"
+#include "carom/draw/movie.hpp"
+#include "films.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
 #endif
@@ -19,13 +20,16 @@ namespace carom::program {
 #ifdef CAROM_HAS_DRAW
 namespace {
 
-const std::map<std::string, ColourBy> kColours{{"species", ColourBy::species}, {"speed", ColourBy::speed}};
+const std::map<std::string, ColourBy> kColours{{"species", ColourBy::species},
+                                               {"speed", ColourBy::speed},
+                                               {"psi6", ColourBy::psi6},
+                                               {"density", ColourBy::density}};
 
 struct DrawOptions {
-  std::string file;
   std::string out;
   std::optional<double> time;
-  StatePicture picture;
+  FilmOptions film;  ///< its file and picture are those of a single picture, too
+  std::optional<double> frames_per_second;
 };
 
 bool is_xyz(const std::string& path) { return path.size() > 4 && path.substr(path.size() - 4) == ".xyz"; }
@@ -53,22 +57,44 @@ Setup scene_at(const Scene& scene, const std::optional<double>& time) {
   return {simulation.system(), simulation.frame()};
 }
 
-int draw_command(const DrawOptions& options) {
+int film_command(const DrawOptions& options) {
+  if (!options.out.empty()) throw UsageError("give either -o or --movie");
+  if (options.time) throw UsageError("--time is for a single picture: a film begins at the beginning");
+  FilmOptions film = options.film;
+  film.frames_per_second = options.frames_per_second.value_or(film.frames_per_second);
+  if (!(film.frames_per_second > 0 && film.frames_per_second <= 1000)) {
+    throw UsageError(fmt::format("--fps {}: it must lie above 0 and not above 1000", film.frames_per_second));
+  }
+  movie_format_of(film.out);
+  make_film(film);
+  return kSuccess;
+}
+
+int picture_command(const DrawOptions& options) {
+  const FilmOptions& film = options.film;
+  if (options.out.empty()) throw UsageError("which file? Give -o FILE, or --movie FILE for a film");
+  if (film.until || film.every || options.frames_per_second) {
+    throw UsageError("--until, --every and --fps are for films: they go with --movie FILE");
+  }
   const PictureFormat format = picture_format_of(options.out);
   if (options.time && !(*options.time >= 0 && std::isfinite(*options.time))) {
     throw Error(fmt::format("--time {}: it must be a finite time, 0 or more", *options.time));
   }
-  StatePicture picture = options.picture;
+  StatePicture picture = film.picture;
   Setup setup;
-  if (is_xyz(options.file)) {
-    setup = frame_of(options.file, options.time);
+  if (is_xyz(film.file)) {
+    setup = frame_of(film.file, options.time);
   } else {
-    const SceneFile file = read_scene(options.file);
+    const SceneFile file = read_scene(film.file);
     if (picture.title.empty()) picture.title = file.scene.title;
     setup = scene_at(file.scene, options.time);
   }
   write_file(options.out, picture_of_state(setup.system, setup.frame, picture, format));
   return kSuccess;
+}
+
+int draw_command(const DrawOptions& options) {
+  return options.film.out.empty() ? picture_command(options) : film_command(options);
 }
 
 }  // namespace
@@ -77,17 +103,25 @@ void add_draw(CLI::App& app, Action& action) {
   CLI::App* command =
       add_command(app, "draw", "A picture of a scene", "carom draw scenes/gas.toml --time 2 -o gas.svg");
   const auto options = std::make_shared<DrawOptions>();
-  command->add_option("FILE", options->file, "a scene, or an extended XYZ file (its last frame, or see --time)")
+  FilmOptions& film = options->film;
+  command->add_option("FILE", film.file, "a scene, or an extended XYZ file (its last frame, or see --time)")
       ->required()
       ->type_name("");
-  add_path(*command, "-o,--output", options->out, "FILE", "the picture: a name ending in .svg, .png or .pdf")
-      ->required();
+  add_path(*command, "-o,--output", options->out, "FILE", "the picture: a name ending in .svg, .png or .pdf");
+  add_path(*command, "--movie", film.out, "FILE",
+           "a film instead, through ffmpeg: a name ending in .mp4 or .gif; of a trajectory its frames, of a scene from "
+           "time 0 to --until");
+  add_number(*command, "--until", film.until, "a film of a scene: simulate to this time (the scene's own)");
+  add_number(*command, "--every", film.every, "a film of a scene: time between two pictures (a 250th of the whole)");
+  add_number(*command, "--fps", options->frames_per_second, "a film: pictures per second (25)");
   add_number(*command, "--time", options->time,
              "simulate a scene to this time first; of a trajectory, draw the frame nearest to it");
-  add_choice(*command, "--colour,--color", options->picture.colour, kColours, "by species or by speed");
-  command->add_flag("--velocities", options->picture.velocities, "draw the velocities as arrows");
-  add_number(*command, "--width", options->picture.width_px, "of the picture in pixels (1000)");
-  command->add_option("--title", options->picture.title, "above the picture (the scene's)");
+  add_choice(*command, "--colour,--color", film.picture.colour, kColours,
+             "by species, speed, psi6 (angle of the bond-orientational order) or density (of the Voronoi cells)");
+  command->add_flag("--velocities", film.picture.velocities, "draw the velocities as arrows");
+  add_number(*command, "--width", film.picture.width_px, "of the picture in pixels (1000)");
+  command->add_option("--title", film.picture.title, "above the picture (the scene's)");
+  command->add_flag("--quiet", film.quiet, "show no progress");
   command->callback([options, &action] { action = [options] { return draw_command(*options); }; });
 }
 #else

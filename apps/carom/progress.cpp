@@ -38,7 +38,7 @@ std::string progress_line(const Progress& progress, double seconds, int columns)
   };
   const double rate = seconds > 0 ? static_cast<double>(progress.collisions) / seconds : 0;
   if (done > 0 && seconds > 0.5) add(time_left(seconds * (1 - done) / done), 0);
-  add(fmt::format("t = {:.6g}", progress.time), 10);
+  add(progress.place.empty() ? fmt::format("t = {:.6g}", progress.time) : progress.place, 10);
   add(with_si_prefix(rate) + "collisions/s", 10);
 
   const int room = columns - static_cast<int>(facts.size()) - 3;

@@ -12,6 +12,7 @@ struct Progress {
   double done = 0;  ///< share of the run, 0 … 1
   double time = 0;  ///< simulated
   std::uint64_t collisions = 0;
+  std::string place = {};  ///< shown instead of the time if it is not empty
 };
 
 /// Draws one line and draws it again at most ten times a second; takes it away when destroyed.

@@ -18,13 +18,6 @@ void set_dash(cairo_t* ink, const Pen& pen) {
   }
 }
 
-void stroke(cairo_t* ink, const Pen& pen) {
-  set_colour(ink, pen.colour);
-  set_dash(ink, pen);
-  cairo_set_line_width(ink, pen.width);
-  cairo_stroke(ink);
-}
-
 void trace_circle(cairo_t* ink, Vec2 centre, double radius) {
   cairo_new_sub_path(ink);
   cairo_arc(ink, centre.x, centre.y, radius, 0, 2 * kPi);
@@ -48,15 +41,22 @@ Colour readable_on(Colour background) noexcept {
 
 void set_colour(cairo_t* ink, Colour colour) { cairo_set_source_rgb(ink, colour.red, colour.green, colour.blue); }
 
+void stroke_path(cairo_t* ink, const Pen& pen) {
+  set_colour(ink, pen.colour);
+  set_dash(ink, pen);
+  cairo_set_line_width(ink, pen.width);
+  cairo_stroke(ink);
+}
+
 void draw_line(cairo_t* ink, Vec2 from, Vec2 to, const Pen& pen) {
   cairo_move_to(ink, from.x, from.y);
   cairo_line_to(ink, to.x, to.y);
-  stroke(ink, pen);
+  stroke_path(ink, pen);
 }
 
 void draw_circle(cairo_t* ink, Vec2 centre, double radius, const Pen& pen) {
   trace_circle(ink, centre, radius);
-  stroke(ink, pen);
+  stroke_path(ink, pen);
 }
 
 void fill_circle(cairo_t* ink, Vec2 centre, double radius, Colour colour) {
@@ -73,7 +73,7 @@ void fill_rect(cairo_t* ink, const Rect& rect, Colour colour) {
 
 void draw_rect(cairo_t* ink, const Rect& rect, const Pen& pen) {
   cairo_rectangle(ink, rect.left, rect.top, rect.width(), rect.height());
-  stroke(ink, pen);
+  stroke_path(ink, pen);
 }
 
 void draw_arrow(cairo_t* ink, Vec2 from, Vec2 to, const Pen& pen) {

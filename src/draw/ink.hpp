@@ -54,6 +54,8 @@ struct Pen {
   Dash dash = Dash::solid;
 };
 
+/// Strokes the current path.
+void stroke_path(cairo_t* ink, const Pen& pen);
 void draw_line(cairo_t* ink, Vec2 from, Vec2 to, const Pen& pen);
 void draw_circle(cairo_t* ink, Vec2 centre, double radius, const Pen& pen);
 void fill_circle(cairo_t* ink, Vec2 centre, double radius, Colour colour);

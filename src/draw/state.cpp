@@ -7,6 +7,7 @@
 
 #include "canvas.hpp"
 #include "carom/base/error.hpp"
+#include "carom/order/local_order.hpp"
 #include "state_colours.hpp"
 #include "state_disks.hpp"
 #include "state_footer.hpp"
@@ -67,28 +68,42 @@ void draw_box(cairo_t* ink, const Box& box, const Rect& area) {
 
 }  // namespace
 
+void include_in_scale(const System& system, const Frame& frame, const StatePicture& picture, SharedScale& scale) {
+  validate(system, frame, picture);
+  if (picture.colour == ColourBy::density) include_densities(local_order(system, frame).density, scale);
+  for (std::size_t k = 0; k < frame.size(); ++k) {
+    const Vec2 centre = frame.position(k), reach{system.radius(k), system.radius(k)};
+    const Vec2 low = centre - reach, high = centre + reach;
+    const bool first = scale.empty && k == 0;
+    scale.low = first ? low : Vec2{std::min(scale.low.x, low.x), std::min(scale.low.y, low.y)};
+    scale.high = first ? high : Vec2{std::max(scale.high.x, high.x), std::max(scale.high.y, high.y)};
+  }
+  scale.largest_speed = std::max(scale.largest_speed, largest_speed(frame));
+  scale.empty = false;
+}
+
 std::string picture_of_state(const System& system, const Frame& frame, const StatePicture& picture,
                              PictureFormat format) {
   validate(system, frame, picture);
   const double top = kMargin + (picture.title.empty() ? 0 : kTitleHeight);
   const StateView view = view_of(system, frame, picture, kMargin, top);
-  const StateColours colours = colours_of(system, frame, picture.colour);
+  const StateColours colours = colours_of(system, frame, picture);
 
   // Text can be measured only on a canvas, and the canvas's size depends on the text: a small one measures.
   const Canvas ruler(PictureFormat::png, 1, 1, 1);
-  const double title_width = measure(ruler.ink(), RichText{}.bold(picture.title), kTitleSize).x;
+  const double title_width = measure(ruler.ink(), RichText{}.bold(printable(picture.title)), kTitleSize).x;
   const double widest = picture.width_px - 2 * kMargin;
   const double text_width = std::min(widest, std::max({view.area.width(), kLeastTextWidth, title_width}));
-  const Footer footer = footer_of(ruler.ink(), system, frame, view, colours, text_width);
+  const Footer footer = footer_of(ruler.ink(), system, frame, picture, view, colours, text_width);
 
   Canvas canvas(format, std::ceil(text_width + 2 * kMargin),
                 std::ceil(view.area.bottom + footer.height + 0.5 * kMargin), 1);
   if (!picture.title.empty()) {
-    draw_text(canvas.ink(), RichText{}.bold(picture.title), {kMargin, kMargin + 12}, kTitleSize, kBlack);
+    draw_text(canvas.ink(), RichText{}.bold(printable(picture.title)), {kMargin, kMargin + 12}, kTitleSize, kBlack);
   }
   draw_disks(canvas.ink(), system, frame, view, colours);
   draw_box(canvas.ink(), system.box, view.area);
-  draw_footer(canvas.ink(), footer, {kMargin, view.area.bottom}, colours);
+  draw_footer(canvas.ink(), footer, {kMargin, view.area.bottom}, text_width, colours);
   return canvas.finish();
 }
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 
+#include "carom/order/local_order.hpp"
+#include "phase_colours.hpp"
 #include "state_view.hpp"
 
 namespace carom::draw {
@@ -26,8 +29,8 @@ std::uint32_t shade_of(double value, const StateColours& colours) {
   return share > 0 ? std::min(kShades - 1, static_cast<std::uint32_t>(share * kShades)) : 0;
 }
 
-void shade_by_speed(const Frame& frame, StateColours& colours) {
-  set_shades("speed", 0, largest_speed(frame), colours);
+void shade_by_speed(const Frame& frame, const StatePicture& picture, StateColours& colours) {
+  set_shades("speed", 0, picture.shared ? picture.shared->largest_speed : largest_speed(frame), colours);
   colours.class_of.reserve(frame.size());
   for (std::size_t k = 0; k < frame.size(); ++k) {
     colours.class_of.push_back(shade_of(std::hypot(frame.vx[k], frame.vy[k]), colours));
@@ -57,14 +60,45 @@ void colour_by_species(const System& system, StateColours& colours) {
   shade_by(system, "radius", &Species::radius, colours);
 }
 
+void shade_by_density(const System& system, const Frame& frame, const StatePicture& picture, StateColours& colours) {
+  const std::vector<double> densities = local_order(system, frame).density;
+  SharedScale scale;
+  if (picture.shared) {
+    scale = *picture.shared;
+  } else {
+    include_densities(densities, scale);
+  }
+  set_shades("local packing fraction", scale.least_density, scale.greatest_density, colours);
+  for (const double density : densities) colours.class_of.push_back(shade_of(density, colours));
+}
+
+void colour_by_phase(const System& system, const Frame& frame, StateColours& colours) {
+  colours.wheel = true;
+  colours.classes = phase_colours();
+  for (const std::complex<double> psi6 : local_order(system, frame).psi6) {
+    colours.class_of.push_back(phase_class(psi6));
+  }
+}
+
 }  // namespace
 
-StateColours colours_of(const System& system, const Frame& frame, ColourBy colour) {
+void include_densities(std::vector<double> densities, SharedScale& scale) {
+  constexpr double kStep = 0.01;
+  const std::size_t few = densities.size() / 50;
+  std::sort(densities.begin(), densities.end());
+  const double low = kStep * std::floor(densities[few] / kStep);
+  const double high = std::max(kStep * std::ceil(densities[densities.size() - 1 - few] / kStep), low + kStep);
+  scale.least_density = scale.empty ? low : std::min(scale.least_density, low);
+  scale.greatest_density = scale.empty ? high : std::max(scale.greatest_density, high);
+}
+
+StateColours colours_of(const System& system, const Frame& frame, const StatePicture& picture) {
   StateColours colours;
-  if (colour == ColourBy::speed) {
-    shade_by_speed(frame, colours);
-  } else {
-    colour_by_species(system, colours);
+  switch (picture.colour) {
+    case ColourBy::species: colour_by_species(system, colours); break;
+    case ColourBy::speed: shade_by_speed(frame, picture, colours); break;
+    case ColourBy::psi6: colour_by_phase(system, frame, colours); break;
+    case ColourBy::density: shade_by_density(system, frame, picture, colours); break;
   }
   return colours;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phase_colours.hpp"
+
 namespace carom::draw {
 namespace {
 
@@ -12,6 +14,10 @@ constexpr double kGapAfterLead = 7;
 constexpr double kGapBetween = 26;
 constexpr double kSwatch = 12;
 constexpr double kShadesWidth = 150;
+constexpr double kWheelRadius = 34;
+constexpr double kWheelWidth = 2 * kWheelRadius + 32;
+constexpr double kWheelHeight = 2 * kWheelRadius + 48;
+constexpr double kWidestTime = 110;       // in pictures of one film: what follows keeps its place
 constexpr double kLongestScaleBar = 160;  // pixels
 
 // The largest 1, 2 or 5 times a power of ten that is at most `most`.
@@ -30,10 +36,10 @@ void add_scale_bar(const StateView& view, double width, Footer& footer) {
   footer.items.push_back({FooterItem::Kind::scale_bar, RichText{}.plain("length ").number(bar), bar * view.scale});
 }
 
-void add_arrow(const Frame& frame, const StateView& view, double width, Footer& footer) {
+void add_arrow(const StateView& view, double width, Footer& footer) {
   if (!(view.velocity > 0)) return;
   const double most = std::min(kLongestScaleBar, 0.4 * width) / view.velocity;
-  const double shown = round_number_below(std::min(most, largest_speed(frame)));
+  const double shown = round_number_below(std::min(most, view.fastest));
   if (!(shown > 0) || !std::isfinite(shown)) return;
   footer.items.push_back({FooterItem::Kind::arrow, RichText{}.plain("speed ").number(shown), shown * view.velocity});
 }
@@ -48,6 +54,11 @@ void add_facts(const System& system, const Frame& frame, Footer& footer) {
 }
 
 void add_meaning_of_colours(const System& system, const StateColours& colours, Footer& footer) {
+  if (colours.wheel) {
+    RichText text = RichText{}.plain("colour: angle of \u03c8").sub("6").plain(";  strength: |\u03c8").sub("6");
+    footer.items.push_back({FooterItem::Kind::text, text.plain("|, 0 \u2026 1")});
+    return;
+  }
   if (!colours.quantity.empty()) {
     const RichText text =
         RichText{}.plain(colours.quantity + " ").number(colours.low).plain(" \u2026 ").number(colours.high);
@@ -62,10 +73,11 @@ void add_meaning_of_colours(const System& system, const StateColours& colours, F
 }
 
 void lay_out(cairo_t* ink, double width, Footer& footer) {
+  if (footer.wheel) width -= kWheelWidth + kGapBetween;
   double x = 0, y = kLineHeight;
   for (FooterItem& item : footer.items) {
     const double lead = item.lead > 0 ? item.lead + kGapAfterLead : 0;
-    const double size = lead + measure(ink, item.text, kTextSize).x;
+    const double size = lead + std::max(item.least_width, measure(ink, item.text, kTextSize).x);
     if (x > 0 && x + size > width) {
       x = 0;
       y += kLineHeight;
@@ -73,7 +85,19 @@ void lay_out(cairo_t* ink, double width, Footer& footer) {
     item.place = {x, y};
     x += size + kGapBetween;
   }
-  footer.height = y + 0.5 * kLineHeight;
+  footer.height = std::max(y + 0.5 * kLineHeight, footer.wheel ? kWheelHeight : 0);
+}
+
+// The angles are written around it.
+void draw_wheel(cairo_t* ink, Vec2 centre) {
+  constexpr double kSize = 11;
+  draw_phase_wheel(ink, centre, kWheelRadius);
+  const double middle = 0.36 * kSize, gap = kWheelRadius + 5;
+  draw_text(ink, RichText{}.plain("0"), centre + Vec2{gap, middle}, kSize, kBlack);
+  draw_text(ink, RichText{}.plain("\u03c0"), centre + Vec2{-gap, middle}, kSize, kBlack, Align::right);
+  draw_text(ink, RichText{}.plain("\u03c0/2"), centre + Vec2{0, -gap + 1}, kSize, kBlack, Align::centre);
+  draw_text(ink, RichText{}.plain("\u2212\u03c0/2"), centre + Vec2{0, gap + 0.74 * kSize - 1}, kSize, kBlack,
+            Align::centre);
 }
 
 void draw_scale_bar(cairo_t* ink, Vec2 at, double width) {
@@ -100,18 +124,23 @@ void draw_shades(cairo_t* ink, Vec2 at, const std::vector<Colour>& shades) {
 
 }  // namespace
 
-Footer footer_of(cairo_t* ink, const System& system, const Frame& frame, const StateView& view,
-                 const StateColours& colours, double width) {
+Footer footer_of(cairo_t* ink, const System& system, const Frame& frame, const StatePicture& picture,
+                 const StateView& view, const StateColours& colours, double width) {
   Footer footer;
+  footer.wheel = colours.wheel;
   add_facts(system, frame, footer);
+  if (picture.shared) footer.items.front().least_width = kWidestTime;
   add_scale_bar(view, width, footer);
-  add_arrow(frame, view, width, footer);
+  add_arrow(view, width, footer);
   add_meaning_of_colours(system, colours, footer);
   lay_out(ink, width, footer);
   return footer;
 }
 
-void draw_footer(cairo_t* ink, const Footer& footer, Vec2 top_left, const StateColours& colours) {
+void draw_footer(cairo_t* ink, const Footer& footer, Vec2 top_left, double width, const StateColours& colours) {
+  if (footer.wheel) {
+    draw_wheel(ink, top_left + Vec2{width - 0.5 * kWheelWidth, 0.5 * kWheelHeight});
+  }
   for (const FooterItem& item : footer.items) {
     const Vec2 at = top_left + item.place;
     const double lead = item.lead > 0 ? item.lead + kGapAfterLead : 0;

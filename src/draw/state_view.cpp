@@ -37,12 +37,17 @@ struct Range {
 double component(Vec2 v, int axis) { return axis == 0 ? v.x : v.y; }
 
 // `reach` is the time that arrows show.
-Interval shown_along(const System& system, const Frame& frame, int axis, double reach) {
+Interval shown_along(const System& system, const Frame& frame, const StatePicture& picture, int axis, double reach) {
   if (system.box.boundary[axis] != Boundary::open) {
     const double half = 0.5 * component(system.box.size, axis);
     return {half, half};
   }
   Range range;
+  if (picture.shared) {
+    const double arrow = reach * picture.shared->largest_speed;
+    range.include(component(picture.shared->low, axis) - arrow, component(picture.shared->high, axis) + arrow);
+    return {range.middle(), kOpenMargin * std::max(range.half(), system.largest_radius())};
+  }
   for (std::size_t k = 0; k < frame.size(); ++k) {
     const double centre = component(frame.position(k), axis), tip = reach * component(frame.velocity(k), axis);
     range.include(centre - system.radius(k), centre + system.radius(k));
@@ -52,9 +57,9 @@ Interval shown_along(const System& system, const Frame& frame, int axis, double 
   return {range.middle(), kOpenMargin * std::max(range.half(), system.largest_radius())};
 }
 
-void set_region(const System& system, const Frame& frame, double reach, StateView& view) {
-  const Interval x = shown_along(system, frame, 0, reach);
-  const Interval y = shown_along(system, frame, 1, reach);
+void set_region(const System& system, const Frame& frame, const StatePicture& picture, double reach, StateView& view) {
+  const Interval x = shown_along(system, frame, picture, 0, reach);
+  const Interval y = shown_along(system, frame, picture, 1, reach);
   view.middle = {x.middle, y.middle};
   const double longer = std::max({x.half, y.half, kSmallest});
   view.half = {std::max(x.half, kThinnest * longer), std::max(y.half, kThinnest * longer)};
@@ -86,10 +91,11 @@ double largest_speed(const Frame& frame) noexcept {
 
 StateView view_of(const System& system, const Frame& frame, const StatePicture& picture, double margin, double top) {
   StateView view;
-  set_region(system, frame, 0, view);
-  const double speed = picture.velocities ? largest_speed(frame) : 0;
+  set_region(system, frame, picture, 0, view);
+  view.fastest = picture.shared ? picture.shared->largest_speed : largest_speed(frame);
+  const double speed = picture.velocities ? view.fastest : 0;
   const double reach = speed > 0 ? longest_arrow(system, frame, view) / speed : 0;
-  if (reach > 0) set_region(system, frame, reach, view);
+  if (reach > 0) set_region(system, frame, picture, reach, view);
   set_area(picture, margin, top, view);
   view.spacing = std::sqrt(view.area.width() * view.area.height() / static_cast<double>(frame.size()));
   view.velocity = view.scale * reach;

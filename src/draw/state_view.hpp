@@ -14,6 +14,7 @@ struct StateView {
   Rect area;            ///< pixels
   double scale = 1;     ///< pixels per length
   double spacing = 1;   ///< pixels: side of the square that each disk has on average
+  double fastest = 0;   ///< the largest speed of this picture, or of those that share a scale
   double velocity = 0;  ///< pixels of an arrow per length/time; 0 where none are drawn
 
   [[nodiscard]] Vec2 pixel(Vec2 p) const noexcept {

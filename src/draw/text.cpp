@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "carom/state/system.hpp"
 
 namespace carom::draw {
 namespace {
@@ -41,6 +45,22 @@ double advance(cairo_t* ink, const RichText::Piece& piece, double size) {
   cairo_text_extents_t extents;
   cairo_text_extents(ink, piece.text.c_str(), &extents);
   return extents.x_advance;
+}
+
+// Bytes of the UTF-8 character at the start; 0 if there is none, or it cannot be printed.
+std::size_t size_of_character(std::string_view text) {
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+  if (byte(0) < 0x80) return byte(0) < 0x20 || byte(0) == 0x7f ? 0 : 1;
+  const std::size_t size = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+  if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < size) return 0;
+  char32_t code = byte(0) & (0xffu >> (size + 1));
+  for (std::size_t at = 1; at < size; ++at) {
+    if ((byte(at) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(at) & 0x3fu);
+  }
+  constexpr std::array<char32_t, 5> kLeast{0, 0, 0xa0, 0x800, 0x10000};  // by size: longer forms are not UTF-8
+  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+  return code < kLeast[size] || surrogate || code > 0x10ffff ? 0 : size;
 }
 
 }  // namespace
@@ -86,6 +106,24 @@ void draw_text(cairo_t* ink, const RichText& text, Vec2 at, double size, Colour 
     x += step;
   }
   cairo_new_path(ink);
+}
+
+void draw_text_upwards(cairo_t* ink, const RichText& text, Vec2 at, double size, Colour colour) {
+  cairo_save(ink);
+  cairo_translate(ink, at.x, at.y);
+  cairo_rotate(ink, -0.5 * kPi);
+  draw_text(ink, text, {0, 0}, size, colour, Align::centre);
+  cairo_restore(ink);
+}
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t size = size_of_character(text);
+    shown += size == 0 ? std::string_view("?") : text.substr(0, size);
+    text.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return shown;
 }
 
 void draw_text_around(cairo_t* ink, const RichText& text, Vec2 centre, double size, Colour colour) {
