@@ -1,6 +1,7 @@
 #include "gas.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -60,6 +61,26 @@ Setup Gas::setup_now() const {
   Setup setup{system(), frame_};
   setup.frame.time = 0;
   return setup;
+}
+
+void Gas::equalize_speeds() {
+  Setup setup = setup_now();
+  const std::size_t kinds = system().species.size();
+  std::vector<double> squares(kinds);
+  std::vector<double> counts(kinds);
+  for (std::size_t k = 0; k < frame_.size(); ++k) {
+    squares[system().species_of[k]] += dot(frame_.velocity(k), frame_.velocity(k));
+    counts[system().species_of[k]] += 1;
+  }
+  for (std::size_t k = 0; k < frame_.size(); ++k) {
+    const std::uint32_t kind = system().species_of[k];
+    const double speed = length(frame_.velocity(k));
+    if (!(speed > 0)) continue;
+    const double factor = std::sqrt(squares[kind] / counts[kind]) / speed;
+    setup.frame.vx[k] *= factor;
+    setup.frame.vy[k] *= factor;
+  }
+  restart(std::move(setup));
 }
 
 void Gas::reverse() {

@@ -36,6 +36,8 @@ class Gas {
   /// Mean βP since then; absent before a window was measured.
   [[nodiscard]] std::optional<double> pressure() const;
 
+  /// All disks of one kind given the same speed, in the directions they have; the energy stays, kind by kind.
+  void equalize_speeds();
   /// All velocities turned round: the gas goes back the way it came.
   void reverse();
   /// The walls moved to these sizes, which must hold all disks; velocities stay.

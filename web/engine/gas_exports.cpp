@@ -45,6 +45,9 @@ CAROM_EXPORT int carom_gas_run_until(double time) {
 CAROM_EXPORT int carom_gas_run_collisions(double collisions) {
   return done([&] { the_gas->run_collisions(static_cast<std::uint64_t>(collisions)); });
 }
+CAROM_EXPORT int carom_gas_equal_speeds() {
+  return done([] { the_gas->equalize_speeds(); });
+}
 CAROM_EXPORT int carom_gas_reverse() {
   return done([] { the_gas->reverse(); });
 }

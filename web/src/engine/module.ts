@@ -13,10 +13,12 @@ export class Engine {
   private constructor(private readonly exports: Exports) {}
 
   static async start(module: WebAssembly.Module): Promise<Engine> {
-    const instance = await WebAssembly.instantiate(module, imports(() => engine.exports.memory));
-    const engine = new Engine(instance.exports as unknown as Exports);
-    engine.exports._initialize!();
-    return engine;
+    let memory: WebAssembly.Memory | undefined;
+    const instance = await WebAssembly.instantiate(module, imports(() => memory!));
+    const exports = instance.exports as unknown as Exports;
+    memory = exports.memory;
+    exports._initialize!();
+    return new Engine(exports);
   }
 
   /** Calls carom_NAME. */

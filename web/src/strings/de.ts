@@ -1,0 +1,3 @@
+import type { Strings } from './index';
+import { en } from './en';
+export const de: Strings = { ...en, name: 'Deutsch' };
