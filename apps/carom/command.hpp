@@ -39,6 +39,7 @@ void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
+void add_lab(CLI::App& app, Action& action);
 
 /// A command with a description and an example shown below its help.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,

@@ -63,6 +63,9 @@ void add_commands(CLI::App& app, Action& action) {
   add_convert(app, action);
   add_draw(app, action);
   add_bench(app, action);
+#ifdef CAROM_HAS_LAB
+  add_lab(app, action);
+#endif
   add_version_flag(app);
 }
 

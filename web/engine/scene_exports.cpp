@@ -32,7 +32,8 @@ constexpr double code_of(Boundary boundary) noexcept { return static_cast<double
 }  // namespace
 
 SceneFile read_scene_text(std::string_view text) {
-  io::ReadScene read = begins_with_a_count(text) ? io::read_algs4(text, "") : io::read_toml(text, "");
+  const std::string name = "scene";  // as messages call it
+  io::ReadScene read = begins_with_a_count(text) ? io::read_algs4(text, name) : io::read_toml(text, name);
   if (!read.problems.empty()) throw Error(std::move(read.problems));
   return std::move(read.file);
 }

@@ -2,10 +2,11 @@
 import type { Focus } from '../lab/view';
 import type { Step } from './document';
 
+/** By the engine's own headings; the first that matches counts. */
 const byHeading: [RegExp, Focus[]][] = [
   [/given/, ['v']],
-  [/normal and the tangent$/, ['lines', 'units', 'v']],
   [/velocities along/, ['lines', 'v', 'vn', 'vt']],
+  [/normal and the tangent/, ['lines', 'units', 'v']],
   [/approach/, ['lines', 'vn']],
   [/collision along/, ['lines', 'vn', 'vnf']],
   [/tangential parts/, ['lines', 'vt']],
@@ -16,9 +17,6 @@ const byHeading: [RegExp, Focus[]][] = [
   [/double precision/, ['v', 'vf']],
 ];
 
-/** Of a step whose heading is the engine's own. */
 export function focusOf(step: Step | undefined): ReadonlySet<Focus> {
-  const names = byHeading.find(([pattern]) => step && pattern.test(step.heading))?.[1] ?? ['v'];
-  if (!step?.heading.includes('normal and the tangent') || step.heading.includes('along')) return new Set(names);
-  return new Set<Focus>(['lines', 'units', 'v']);
+  return new Set(byHeading.find(([pattern]) => step && pattern.test(step.heading))?.[1] ?? ['v']);
 }

@@ -33,8 +33,8 @@ export function Derivation() {
   useEffect(() => () => void (focus.value = null), []);
   useEffect(() => {
     // What is derived is what is seen.
-    if (collision && collisionIs.value === 'ahead') goToContact(collision.index);
-  }, [collision]);
+    if (collision && collisionIs.value !== 'now') goToContact(collision.index);
+  }, []);
 
   if (!collision) return <p class="note">{words.noCollision}</p>;
   const go = (to: number): void => {
@@ -73,7 +73,7 @@ export function Derivation() {
         <ul>
           {words.slips.map((slip) => (
             <li key={slip}>
-              <Paragraph text={slip} />
+              <Mixed text={slip} />
             </li>
           ))}
         </ul>
@@ -115,13 +115,13 @@ function BlockText({ block }: { block: Block }) {
   const source = block.runs.map((run) => (run.kind === 'words' ? run.text : run.kind === 'code' ? `\`${run.text}\`` : `$${run.text}$`)).join('');
   return (
     <p>
-      <Paragraph text={translated(source)} />
+      <Mixed text={translated(source)} />
     </p>
   );
 }
 
 /** Words with $formulas$ and `code` in them. */
-function Paragraph({ text }: { text: string }) {
+function Mixed({ text }: { text: string }) {
   return (
     <>
       {text.split(/(\$[^$]*\$|`[^`]*`)/).map((run, k) => {

@@ -54,13 +54,15 @@ export class Playback {
 
   /** All disks at contact k: those before it in the log have happened, and k itself too. */
   disksAfter(contact: Contact): Disk[] {
-    const disks = this.disksAt(contact.time);
-    let first = contact.index;
-    while (first > 0 && this.contact(first - 1)!.time === contact.time) --first;
-    for (let k = first; k <= contact.index; ++k) {
-      const { i, j, afterI, afterJ } = this.contact(k)!;
-      Object.assign(disks[i]!, { vx: afterI.x, vy: afterI.y });
-      if (typeof j === 'number') Object.assign(disks[j]!, { vx: afterJ.x, vy: afterJ.y });
+    const disks = this.disks(this.engine.numbers('play_frame_after', 4 * this.count, contact.index));
+    // Others of the same moment have happened there too: they are taken back, the last one first.
+    const later: Contact[] = [];
+    for (let next = this.contact(contact.index + 1); next?.time === contact.time; next = this.contact(next.index + 1)) {
+      later.unshift(next);
+    }
+    for (const { i, j, beforeI, beforeJ } of later) {
+      Object.assign(disks[i]!, { vx: beforeI.x, vy: beforeI.y });
+      if (typeof j === 'number') Object.assign(disks[j]!, { vx: beforeJ.x, vy: beforeJ.y });
     }
     return disks;
   }

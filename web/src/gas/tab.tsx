@@ -5,7 +5,7 @@ import { Icon } from '../ui/icon';
 import { HChart, PressureChart, SpeedChart } from './charts';
 import { GasControls } from './controls';
 import { GasDrawing, shadeColour } from './draw';
-import { ask, box, colour, frameTimes, limited, makeGas, measured, onEveryPicture, pace, parameters, running, said, tagging } from './model';
+import { ask, box, colour, frameTimes, history, limited, makeGas, measured, onEveryPicture, pace, parameters, running, said, tagging } from './model';
 import { collisionRateOf, compressibilityOf } from './theory';
 
 /** Pictures are asked for one at a time, as often as the screen shows them; numbers four times a second. */
@@ -19,7 +19,7 @@ function useGas(canvas: { current: HTMLCanvasElement | null }, stage: { current:
     const drawing = new GasDrawing(canvas.current!, box.value, ink);
     const fit = (): void => {
       const { width } = stage.current!.getBoundingClientRect();
-      drawing.fit(width, Math.max(260, Math.min(window.innerHeight - 210, width)), Math.min(2, window.devicePixelRatio));
+      drawing.fit(width, Math.max(260, Math.min(window.innerHeight - 310, width)), Math.min(2, window.devicePixelRatio));
     };
     let waiting = true;
     let last = performance.now();
@@ -145,8 +145,8 @@ function GasTransport() {
         >
           <Icon name={running.value ? 'pause' : 'play'} />
         </button>
-        <button type="button" class="round" id="gas-reverse" aria-label={words.gas.reverse} title={words.gas.reverse} onClick={() => ask({ kind: 'reverse' })}>
-          <Icon name="reverse" />
+        <button type="button" id="gas-reverse" onClick={() => ask({ kind: 'reverse' })}>
+          <Icon name="reverse" /> {words.gas.reverse}
         </button>
       </div>
       <div class="pace wide">
@@ -183,6 +183,12 @@ function Legend() {
   );
 }
 
+/** Over the last ten seconds or so. */
+function meanZ(): number {
+  const values = history.value.slice(-40).map(({ z }) => z).filter(Number.isFinite);
+  return values.reduce((sum, z) => sum + z, 0) / values.length;
+}
+
 function Readings() {
   const words = strings.value.gas;
   const now = measured.value!;
@@ -195,7 +201,7 @@ function Readings() {
     ['time', words.time, shown(now.time, 2)],
     ['collisions', words.collisions, counted(now.collisions)],
     ['rate', words.rate, shown(now.rate, 3) + theory(rate)],
-    ['z', words.compressibility, shown(now.compressibility, 3) + theory(z)],
+    ['z', words.compressibility, shown(meanZ(), 3) + theory(z)],
     ['kT', words.kT, shown(now.kT, 4)],
     ['drift', words.drift, now.drift.toExponential(1).replace('-', '−').replace('e-', 'e−')],
     ['order', words.order, shown(now.order, 3)],

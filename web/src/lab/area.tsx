@@ -76,6 +76,9 @@ export function PlayArea() {
       <ContactVectors />
       <FocusedVectors />
       {!focus.value && disksNow.value.map((disk, k) => <DiskArrows key={k} disk={disk} number={k} take={take} />)}
+      {disksNow.value.map((disk, k) => (
+        <DiskNumber key={k} disk={disk} number={k} />
+      ))}
     </svg>
   );
 }
@@ -127,10 +130,17 @@ function DiskBody({ disk, number, take }: BodyProps) {
     >
       <circle class="focus-ring" cx={at.x} cy={at.y} r={disk.radius * scale.value + 7} />
       <circle class="body" cx={at.x} cy={at.y} r={disk.radius * scale.value} />
-      <text class="number" x={at.x} y={at.y} style={{ fontSize: `${Math.min(34, 1.1 * disk.radius * scale.value)}px` }}>
-        {number + 1}
-      </text>
     </g>
+  );
+}
+
+function DiskNumber({ disk, number }: Omit<BodyProps, 'take'>) {
+  const at = toPicture(disk);
+  const size = Math.min(34, 1.1 * disk.radius * scale.value);
+  return (
+    <text class="number" x={at.x} y={at.y} style={{ fontSize: `${size}px` }} aria-hidden="true">
+      {number + 1}
+    </text>
   );
 }
 

@@ -18,18 +18,14 @@ export function Lines() {
   const ahead = collisionIs.value === 'ahead' && !focus.value;
   const across = (u: Vec, name: string, which: string) => {
     const by = { x: u.x * 2 * pictureWidth, y: -u.y * 2 * pictureWidth };
-    const label = { x: point.x + u.x * 1.9 * setup.value.disks[collision.i]!.radius * scale.value, y: point.y - u.y * 1.9 * setup.value.disks[collision.i]!.radius * scale.value };
+    const reach = scale.value * (which === 'normal' ? 2 * setup.value.disks[collision.j]!.radius : 0.95 * setup.value.disks[collision.i]!.radius) + 30;
+    const label = { x: point.x + u.x * reach - u.y * 14, y: point.y - u.y * reach - Math.abs(u.x) * 14 };
     return (
       <g class={`line ${which}`} aria-hidden="true">
         <line x1={point.x - by.x} y1={point.y - by.y} x2={point.x + by.x} y2={point.y + by.y} />
-        {focus.value?.has('units') && (
-          <Arrow kind="unit" from={point} by={{ x: u.x * 90, y: -u.y * 90 }} name={[name, '']} />
-        )}
-        {!focus.value?.has('units') && (
-          <text class="name" x={label.x} y={label.y} text-anchor="middle">
-            {name}
-          </text>
-        )}
+        <text class="name" x={label.x} y={label.y} text-anchor="middle">
+          {name}
+        </text>
       </g>
     );
   };
@@ -96,18 +92,22 @@ export function FocusedVectors() {
           <g key={body.number}>
             {has.has('v') && <Arrow kind="velocity-before" from={body.centre} by={arrowOf(body.before)} name={['v', name]} />}
             {has.has('vt') && (
-              <Arrow kind="tangential" from={body.centre} by={along(body, 'before', 't')} name={['v', `${name}t`]} />
+              <Arrow kind="tangential" from={body.centre} by={along(body, 'before', 't')} name={['v', `${name}t`]} side={-1} />
             )}
-            {has.has('vn') && <Arrow kind="normal" from={body.centre} by={along(body, 'before', 'n')} name={['v', `${name}n`]} />}
+            {has.has('vn') && <Arrow kind="normal" from={body.centre} by={along(body, 'before', 'n')} name={['v', `${name}n`]} side={-1} />}
             {has.has('vnf') && (
               <Arrow kind="normal" from={body.centre} by={along(body, 'after', 'n')} name={['v', `${name}nf`]} side={-1} />
             )}
             {has.has('vf') && (
-              <Arrow kind="velocity" from={body.centre} by={arrowOf(body.after)} name={['v', `${name}f`]} side={-1} />
+              <Arrow kind="velocity" from={body.centre} by={arrowOf(body.after)} name={['v', `${name}f`]} />
             )}
           </g>
         );
       })}
+      {has.has('units') &&
+        ([parts.normal, parts.tangent] as const).map((u, k) => (
+          <Arrow key={`u${k}`} kind="unit" from={toPicture(collisionShown.value!.point)} by={times(110, { x: u.x, y: -u.y })} name={['u', k === 0 ? 'n' : 't']} />
+        ))}
       {has.has('J') && <Impulse />}
     </g>
   );
@@ -164,7 +164,7 @@ function Parts() {
               class="parallelogram"
               points={[plus(centre, along(normal)), total, plus(centre, along(tangent))].map(({ x, y }) => `${x},${y}`).join(' ')}
             />
-            <Arrow kind="normal" from={centre} by={along(normal)} name={['v', `${number + 1}n${later}`]} />
+            <Arrow kind="normal" from={centre} by={along(normal)} name={['v', `${number + 1}n${later}`]} side={-1} />
             <Arrow kind="tangential" from={centre} by={along(tangent)} name={['v', `${number + 1}t`]} side={-1} />
           </g>
         );
