@@ -48,9 +48,12 @@ struct Served {
 using Page = std::map<std::string, Served>;
 
 std::string type_of(const fs::path& file) {
-  static const std::map<std::string, std::string> types{
-      {".html", "text/html; charset=utf-8"}, {".js", "text/javascript; charset=utf-8"}, {".css", "text/css"},
-      {".wasm", "application/wasm"},         {".woff2", "font/woff2"},                  {".svg", "image/svg+xml"}};
+  static const std::map<std::string, std::string> types{{".html", "text/html; charset=utf-8"},
+                                                        {".js", "text/javascript; charset=utf-8"},
+                                                        {".css", "text/css"},
+                                                        {".wasm", "application/wasm"},
+                                                        {".woff2", "font/woff2"},
+                                                        {".svg", "image/svg+xml"}};
   const auto found = types.find(file.extension().string());
   return found == types.end() ? "application/octet-stream" : found->second;
 }
@@ -68,7 +71,8 @@ fs::path find_page() {
 
 Page load_page(const fs::path& folder) {
   std::error_code failure;
-  if (!fs::exists(folder / "index.html", failure)) throw Error("there is no index.html: this is not the page", {folder.string()});
+  if (!fs::exists(folder / "index.html", failure))
+    throw Error("there is no index.html: this is not the page", {folder.string()});
   Page page;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;

@@ -102,8 +102,6 @@ void Gas::resize(Vec2 size) {
   collisions_before_ += collisions;
 }
 
-std::string Gas::to_toml() const {
-  return carom::to_toml({explicit_scene(setup_now(), "A gas from the page"), {}});
-}
+std::string Gas::to_toml() const { return carom::to_toml({explicit_scene(setup_now(), "A gas from the page"), {}}); }
 
 }  // namespace carom::page

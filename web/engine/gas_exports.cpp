@@ -84,10 +84,11 @@ CAROM_EXPORT double* carom_gas_summary() {
     const Gas& gas = *the_gas;
     const Summary summary = gas.summary();
     const Vec2 size = gas.system().box.size;
-    return answer_numbers({gas.time(), static_cast<double>(gas.collisions()), static_cast<double>(summary.wall_collisions),
-                   summary.temperature.value_or(kNone), kinetic_energy(gas.system(), gas.frame()), summary.energy_drift,
-                   summary.packing_fraction.value_or(kNone), gas.pressure().value_or(kNone), summary.max_overlap, size.x,
-                   size.y, gas.system().physics.restitution});
+    return answer_numbers({gas.time(), static_cast<double>(gas.collisions()),
+                           static_cast<double>(summary.wall_collisions), summary.temperature.value_or(kNone),
+                           kinetic_energy(gas.system(), gas.frame()), summary.energy_drift,
+                           summary.packing_fraction.value_or(kNone), gas.pressure().value_or(kNone),
+                           summary.max_overlap, size.x, size.y, gas.system().physics.restitution});
   });
 }
 

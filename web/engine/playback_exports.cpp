@@ -26,10 +26,28 @@ double* answer_frame(const Frame& frame) {
 double number_of(DiskId id) { return is_wall(id) ? -1.0 - static_cast<double>(id - kFirstWallId) : id; }
 
 std::vector<double> numbers_of(const Contact& c) {
-  return {c.time,         number_of(c.row.i), number_of(c.row.j), c.position_i.x, c.position_i.y,   c.position_j.x,
-          c.position_j.y, c.before_i.x,       c.before_i.y,       c.before_j.x,   c.before_j.y,     c.after_i.x,
-          c.after_i.y,    c.after_j.x,        c.after_j.y,        c.row.point.x,  c.row.point.y,    c.row.normal.x,
-          c.row.normal.y, c.row.impulse,      c.restitution,      static_cast<double>(c.row.generation)};
+  return {c.time,
+          number_of(c.row.i),
+          number_of(c.row.j),
+          c.position_i.x,
+          c.position_i.y,
+          c.position_j.x,
+          c.position_j.y,
+          c.before_i.x,
+          c.before_i.y,
+          c.before_j.x,
+          c.before_j.y,
+          c.after_i.x,
+          c.after_i.y,
+          c.after_j.x,
+          c.after_j.y,
+          c.row.point.x,
+          c.row.point.y,
+          c.row.normal.x,
+          c.row.normal.y,
+          c.row.impulse,
+          c.restitution,
+          static_cast<double>(c.row.generation)};
 }
 
 }  // namespace
@@ -80,7 +98,6 @@ CAROM_EXPORT int carom_play_has(int k, double horizon) {
 /// Contact k: time, i, j (walls: −1 left, −2 right, −3 bottom, −4 top), centres, velocities before and after, point,
 /// normal, |J|, restitution, generation.
 CAROM_EXPORT double* carom_play_contact(int k) {
-  return guarded<double*>(nullptr, [&] {
-    return answer_numbers(numbers_of(the_playback->contacts().at(static_cast<std::size_t>(k))));
-  });
+  return guarded<double*>(
+      nullptr, [&] { return answer_numbers(numbers_of(the_playback->contacts().at(static_cast<std::size_t>(k)))); });
 }

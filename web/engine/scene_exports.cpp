@@ -57,9 +57,12 @@ CAROM_EXPORT double* carom_scene() {
   return guarded<double*>(nullptr, [] {
     const Setup setup = realize(read_scene_text(input()).scene);
     const System& system = setup.system;
-    std::vector<double> numbers{static_cast<double>(system.size()),   system.box.size.x,
-                                system.box.size.y,                    code_of(system.box.boundary[0]),
-                                code_of(system.box.boundary[1]),      system.physics.restitution,
+    std::vector<double> numbers{static_cast<double>(system.size()),
+                                system.box.size.x,
+                                system.box.size.y,
+                                code_of(system.box.boundary[0]),
+                                code_of(system.box.boundary[1]),
+                                system.physics.restitution,
                                 system.physics.wall_restitution};
     for (std::size_t k = 0; k < system.size(); ++k) {
       const Vec2 x = setup.frame.position(k);

@@ -60,7 +60,7 @@ describe('playback', () => {
   });
 
   it('counts the digits of pi', () => {
-    const playback = new Playback(engine, { title: '', ...presetScene(engine, 'galperin', 3) });
+    const playback = new Playback(engine, presetScene(engine, 'galperin', 3));
     // Later the disks come back from the far wall.
     expect(playback.contactsUntil(16)).toBe(314);
   });

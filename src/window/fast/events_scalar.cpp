@@ -18,7 +18,7 @@ using TargetKernel = WasmKernel;
 #else
 using TargetKernel = ScalarKernel;
 #endif
-}
+}  // namespace carom::fast::scalar
 
 #define CAROM_TARGET scalar
 #define CAROM_INLINE inline

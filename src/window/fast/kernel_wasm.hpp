@@ -33,10 +33,8 @@ struct WasmKernel : ScalarKernel {
     const v128_t start = wasm_f64x2_max(i.t, j.t);
     const v128_t dt_i = wasm_f64x2_sub(start, i.t);
     const v128_t dt_j = wasm_f64x2_sub(start, j.t);
-    const v128_t rx =
-        wasm_f64x2_sub(wasm_f64x2_add(j.x, times(j.vx, dt_j)), wasm_f64x2_add(i.x, times(i.vx, dt_i)));
-    const v128_t ry =
-        wasm_f64x2_sub(wasm_f64x2_add(j.y, times(j.vy, dt_j)), wasm_f64x2_add(i.y, times(i.vy, dt_i)));
+    const v128_t rx = wasm_f64x2_sub(wasm_f64x2_add(j.x, times(j.vx, dt_j)), wasm_f64x2_add(i.x, times(i.vx, dt_i)));
+    const v128_t ry = wasm_f64x2_sub(wasm_f64x2_add(j.y, times(j.vy, dt_j)), wasm_f64x2_add(i.y, times(i.vy, dt_i)));
     const v128_t vx = wasm_f64x2_sub(j.vx, i.vx);
     const v128_t vy = wasm_f64x2_sub(j.vy, i.vy);
     const v128_t b = wasm_f64x2_add(times(rx, vx), times(ry, vy));

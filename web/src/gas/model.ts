@@ -71,6 +71,8 @@ export function gasToml(p: GasParameters): string {
     lines.push('', '[[gas]]', `count = ${count}`, `packing_fraction = ${tomlNumber(p.packing * share)}`);
     lines.push(`radius = ${tomlNumber(radius)}`, `mass = ${tomlNumber(mass)}`);
     lines.push(`temperature = ${tomlNumber(p.temperature)}`, `seed = ${p.seed}`);
+    // The lattice has room for the largest disks on every site.
+    if (kinds.length > 1) lines.push('start = "random"');
   }
   return `title = "Gas of ${p.number} disks at packing fraction ${p.packing}"\n\n${lines.join('\n')}\n`;
 }

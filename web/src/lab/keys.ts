@@ -25,7 +25,7 @@ export function arrowKey(event: KeyboardEvent): Vec | undefined {
 
 /** Whether the key belongs to the control that has the focus. */
 function isTyping(target: EventTarget | null): boolean {
-  return target instanceof Element && target.matches('input, select, textarea, dialog *');
+  return target instanceof Element && target.matches('input[type=text], select, textarea, dialog *');
 }
 
 /** Shortcuts of the tab "Two disks". Returns true if the key was one. */
@@ -33,7 +33,7 @@ export function labShortcut(event: KeyboardEvent): boolean {
   if (event.ctrlKey || event.altKey || event.metaKey || isTyping(event.target)) return false;
   switch (event.key.toLowerCase()) {
     case ' ':
-      if (event.target instanceof Element && event.target.matches('button, summary, a')) return false;
+      if (event.target instanceof Element && event.target.matches('button, summary, a, input')) return false;
       playing.value = !playing.value;
       return true;
     case 'n':

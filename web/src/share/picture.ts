@@ -1,15 +1,16 @@
 // The play area as a picture that stands by itself.
 const properties = ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity', 'font-size', 'font-family', 'font-weight', 'font-style', 'display', 'visibility', 'stroke-linecap', 'paint-order'];
 
-/** A copy of the SVG with its styles written into it. */
+/** A copy of the SVG with its looks written into it. */
 export function standaloneSvg(): string {
   const source = document.querySelector<SVGSVGElement>('#play-area')!;
   const copy = source.cloneNode(true) as SVGSVGElement;
   const originals = [source, ...source.querySelectorAll('*')];
   [copy, ...copy.querySelectorAll('*')].forEach((element, k) => {
     const style = getComputedStyle(originals[k]!);
-    element.setAttribute('style', properties.map((name) => `${name}:${style.getPropertyValue(name)}`).join(';'));
-    for (const name of ['tabindex', 'role', 'class', 'aria-label', 'aria-roledescription']) element.removeAttribute(name);
+    // As attributes: styles in the text would be against the page's own policy.
+    for (const name of properties) element.setAttribute(name, style.getPropertyValue(name));
+    for (const name of ['style', 'tabindex', 'role', 'class', 'aria-label', 'aria-roledescription']) element.removeAttribute(name);
   });
   copy.querySelectorAll('[data-tip]').forEach((handle) => handle.remove());
   const { width, height } = source.viewBox.baseVal;
