@@ -75,7 +75,7 @@ Page load_page(const fs::path& folder) {
     throw Error("there is no index.html: this is not the page", {folder.string()});
   Page page;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
+    if (!entry.is_regular_file() || entry.is_symlink()) continue;
     const std::string path = "/" + entry.path().lexically_relative(folder).generic_string();
     page[path] = {read_file(entry.path().string()), type_of(entry.path())};
   }
@@ -132,6 +132,7 @@ int lab_command(const LabOptions& options) {
     const int yes = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
+  server.set_keep_alive_timeout(1);  // seconds; ending waits for them
   server.set_default_headers({{"Content-Security-Policy", kPolicy},
                               {"X-Content-Type-Options", "nosniff"},
                               {"Referrer-Policy", "no-referrer"},

@@ -18,8 +18,8 @@ interface Props {
 
 /** As typed, or the shortest digits that give this double, at most 6 decimals while not in the cell. */
 function written(value: number): string {
-  const text = String(Math.round(value * 1e6) / 1e6);
-  return language.value === 'de' ? text.replace('.', ',') : text;
+  const text = String(Math.round(value * 1e6) / 1e6 + 0);
+  return (language.value === 'de' ? text.replace('.', ',') : text).replace('-', '−');
 }
 
 export function NumberField({ label, value, step, least = -1e6, most = 1e6, marked, disabled, id, change }: Props) {

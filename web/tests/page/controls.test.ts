@@ -33,7 +33,7 @@ afterEach(async () => {
 
 /** Shown in a cell: m, R, x, y, vx or vy of a disk, all counted from 1. */
 const cell = (disk: number, what: number) => page.locator(`tbody tr:nth-child(${disk}) td:nth-of-type(${what}) input`).first();
-const value = async (disk: number, what: number): Promise<number> => Number(await cell(disk, what).inputValue());
+const value = async (disk: number, what: number): Promise<number> => Number((await cell(disk, what).inputValue()).replace('−', '-'));
 const clock = async (): Promise<number> => Number(await page.textContent('#clock'));
 const row = (disk: number): Promise<number[]> => Promise.all([1, 2, 3, 4, 5, 6].map((what) => value(disk, what)));
 
