@@ -5,6 +5,7 @@ import { Icon } from '../ui/icon';
 import { HChart, PressureChart, SpeedChart } from './charts';
 import { GasControls } from './controls';
 import { GasDrawing, shadeColour } from './draw';
+import type { Picture } from './messages';
 import { ask, box, colour, frameTimes, history, limited, makeGas, measured, onEveryPicture, pace, parameters, running, said, tagging } from './model';
 import { collisionRateOf, compressibilityOf } from './theory';
 
@@ -29,25 +30,23 @@ function useGas(canvas: { current: HTMLCanvasElement | null }, stage: { current:
       waiting = true;
       ask({ kind: 'advance', time: seconds * pace.value, colour: colour.value, tag: tagging.value, measure });
     };
+    let latest: Picture | null = null;
     onEveryPicture((picture) => {
       waiting = false;
+      latest = picture;
+    });
+    const draw = (): void => {
+      if (!latest) return;
       fit();
       const before = performance.now();
-      drawing.draw(picture);
+      drawing.draw(latest);
       frames.draw += performance.now() - before;
-      frames.work += picture.work;
+      frames.work += latest.work;
       ++frames.count;
-    });
-    request(0, false);
-    let asked = colour.value;
-    let tagged = tagging.value;
-    let frame = requestAnimationFrame(function tick(now: number) {
-      frame = requestAnimationFrame(tick);
-      if (now - frames.since > 500 && frames.count > 0) {
-        const { count, work, draw, since } = frames;
-        frameTimes.value = { work: work / count, draw: draw / count, perSecond: (1000 * count) / (now - since) };
-        frames = { count: 0, since: now, work: 0, draw: 0 };
-      }
+      latest = null;
+    };
+    // While one picture is drawn, the worker is at the next.
+    const advance = (now: number): void => {
       const changed = asked !== colour.value || tagged !== tagging.value;
       if (waiting || (!running.value && !changed)) {
         if (!running.value) last = now;
@@ -58,6 +57,19 @@ function useGas(canvas: { current: HTMLCanvasElement | null }, stage: { current:
       if (measure) lastMeasured = now;
       request(running.value ? Math.min(0.1, (now - last) / 1000) : 0, measure);
       last = now;
+    };
+    request(0, false);
+    let asked = colour.value;
+    let tagged = tagging.value;
+    let frame = requestAnimationFrame(function tick(now: number) {
+      frame = requestAnimationFrame(tick);
+      if (now - frames.since > 500 && frames.count > 0) {
+        const { count, work, draw, since } = frames;
+        frameTimes.value = { work: work / count, draw: draw / count, perSecond: (1000 * count) / (now - since) };
+        frames = { count: 0, since: now, work: 0, draw: 0 };
+      }
+      if (!waiting) advance(now);
+      draw();
     });
     const resize = new ResizeObserver(() => {
       if (!waiting) request(0, false);
