@@ -25,6 +25,8 @@ if(TARGET carom_program)
   install(TARGETS carom_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/carom/scenes)
+# The page, where it was built (scripts/build-web).
+install(DIRECTORY web/dist/page/ DESTINATION ${CMAKE_INSTALL_DATADIR}/carom/lab OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/caromConfig.cmake.in

@@ -43,6 +43,7 @@ void add_draw(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
+void add_lab(CLI::App& app, Action& action);
 
 /// A command with a description and an example shown below its help.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,

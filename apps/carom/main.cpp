@@ -67,6 +67,9 @@ void add_commands(CLI::App& app, Action& action) {
   add_plot(app, action);
   add_sweep(app, action);
   add_bench(app, action);
+#ifdef CAROM_HAS_LAB
+  add_lab(app, action);
+#endif
   add_version_flag(app);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#ifndef __EMSCRIPTEN__
 #include <atomic>
 #include <condition_variable>
 #include <exception>
@@ -9,6 +10,7 @@
 #include <system_error>
 #include <thread>
 #include <vector>
+#endif
 
 #include "carom/base/error.hpp"
 
@@ -22,6 +24,8 @@ class Serial final : public Executor {
     for (std::size_t item = 0; item < count; ++item) work(item, 0);
   }
 };
+
+#ifndef __EMSCRIPTEN__  // its C++ library has no std::jthread
 
 /// The caller's thread and helpers that wait between calls; each takes the next item when it has done with one.
 /// Plain threads and locks: the thread sanitizer cannot see into libraries that are not compiled with it.
@@ -88,15 +92,21 @@ class Threads final : public Executor {
   std::vector<std::jthread> helpers_;  // last: they end before what they use
 };
 
+#endif
+
 }  // namespace
 
 std::unique_ptr<Executor> make_executor(unsigned threads) {
   if (threads <= 1) return std::make_unique<Serial>();
+#ifdef __EMSCRIPTEN__
+  throw Error(fmt::format("cannot start {} threads: this build has none", threads));
+#else
   try {
     return std::make_unique<Threads>(threads);
   } catch (const std::system_error& error) {
     throw Error(fmt::format("cannot start {} threads: {}", threads, error.code().message()));
   }
+#endif
 }
 
 }  // namespace carom

@@ -231,7 +231,7 @@ class Realization {
 
   static void shuffle(std::vector<std::size_t>& ids, std::uint64_t seed) {
     RandomStream random(seed, 0, kShuffle);
-    for (std::size_t k = ids.size(); k > 1; --k) std::swap(ids[k - 1], ids[random.below(k)]);
+    for (std::size_t k = ids.size(); k > 1; --k) std::swap(ids[k - 1], ids[static_cast<std::size_t>(random.below(k))]);
   }
 
   void set_gas_velocities() {

@@ -35,6 +35,8 @@ class DocumentedTest(ProgramTest):
         self.path("bin/carom").symlink_to(CAROM)
 
     def shell(self, line):
+        if line.startswith("carom lab"):  # serves until it is interrupted: lab_test.py does that
+            line = "carom lab --help"
         return subprocess.run(["/bin/sh", "-c", line], cwd=self.directory, text=True, capture_output=True, timeout=300,
                               env={**os.environ, "PATH": f"{self.path('bin')}:/usr/bin:/bin", "LC_ALL": "C.UTF-8"})
 

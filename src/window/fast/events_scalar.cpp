@@ -1,4 +1,4 @@
-// The events' loop without vector instructions.
+// The events' loop without vector instructions that the processor would have to be asked for.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -8,10 +8,17 @@
 #include "kernel_scalar.hpp"
 #include "loops.hpp"
 #include "workspace.hpp"
+#ifdef __wasm_simd128__
+#include "kernel_wasm.hpp"
+#endif
 
 namespace carom::fast::scalar {
+#ifdef __wasm_simd128__
+using TargetKernel = WasmKernel;
+#else
 using TargetKernel = ScalarKernel;
-}
+#endif
+}  // namespace carom::fast::scalar
 
 #define CAROM_TARGET scalar
 #define CAROM_INLINE inline

@@ -1,0 +1,48 @@
+// Formulas, set by KaTeX on this page's own fonts.
+import katex from 'katex';
+import { useEffect, useRef } from 'preact/hooks';
+import { language } from '../strings';
+
+/** KaTeX writes numbers as they stand; where decimals have a comma, it must not be set like one in a list. */
+function localized(tex: string): string {
+  return language.value === 'de' ? tex.replace(/(\d)\.(\d)/g, '$1{,}$2').replace(/, /g, ';\\, ') : tex;
+}
+
+/** Pieces of a formula between top-level relations: a, = b, ≈ c. */
+export function membersOf(tex: string): string[] {
+  const members: string[] = [];
+  let depth = 0;
+  let start = 0;
+  for (let k = 0; k < tex.length; ++k) {
+    if (tex[k] === '{' || tex.startsWith('\\langle', k)) ++depth;
+    if (tex[k] === '}' || tex.startsWith('\\rangle', k)) --depth;
+    if (depth === 0 && k > start && /^ (=|\\approx) /.test(tex.slice(k, k + 9))) {
+      members.push(tex.slice(start, k).trim());
+      start = k;
+    }
+  }
+  return [...members, tex.slice(start).trim()];
+}
+
+/** A chain of equations with every member on a line of its own. */
+export function broken(tex: string): string {
+  const tag = /\\tag\{[^}]*\}/.exec(tex)?.[0] ?? '';
+  const body = tex.replace(tag, '').replace(/\\(begin|end)\{aligned\}/g, '').replace(/ ?\\\\\n/g, ' ').replace(/&/g, '').replace(/\s+/g, ' ');
+  const [first, ...others] = membersOf(body.trim());
+  if (others.length < 2) return tex;
+  const lines = others.map((member, k) => `${k === 0 ? first : ''} &${member}`);
+  return `\\begin{aligned}\n${lines.join(' \\\\\n')}\n\\end{aligned} ${tag}`;
+}
+
+export function Formula({ tex, display }: { tex: string; display?: boolean }) {
+  const place = useRef<HTMLSpanElement>(null);
+  const text = localized(tex);
+  useEffect(() => {
+    const set = (source: string): void =>
+      katex.render(source, place.current!, { displayMode: display, throwOnError: false, output: 'htmlAndMathml', strict: 'ignore' });
+    set(text);
+    const frame = place.current!.parentElement!;
+    if (display && frame.scrollWidth > frame.clientWidth + 1) set(broken(text));
+  }, [text, display]);
+  return <span ref={place} class={display ? 'formula display' : 'formula'} />;
+}

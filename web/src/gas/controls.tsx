@@ -1,0 +1,90 @@
+// What the gas is made of, and what is done with it.
+import { strings } from '../strings';
+import { NumberField } from '../ui/number-field';
+import type { Colour, GasParameters } from './messages';
+import { ask, change, colour, parameters, said, tagging } from './model';
+
+interface RowProps {
+  name: 'number' | 'packing' | 'temperature' | 'restitution' | 'fraction' | 'radiusRatio' | 'massRatio' | 'seed';
+  least: number;
+  most: number;
+  step: number;
+  whole?: boolean;
+}
+
+function Row({ name, least, most, step, whole }: RowProps) {
+  const words = strings.value.gas;
+  const set = (value: number): void => change({ [name]: whole ? Math.round(value) : value } as Partial<GasParameters>);
+  return (
+    <div class="row">
+      <label for={`gas-${name}`}>{words[name]}</label>
+      <NumberField id={`gas-${name}`} label={words[name]} value={parameters.value[name]} least={least} most={most} step={step} change={set} />
+    </div>
+  );
+}
+
+interface ChoiceProps<T extends string> {
+  id: string;
+  label: string;
+  value: T;
+  names: Record<T, string>;
+  choose: (value: T) => void;
+}
+
+function Choice<T extends string>({ id, label, value, names, choose }: ChoiceProps<T>) {
+  return (
+    <div class="row">
+      <label for={id}>{label}</label>
+      <select id={id} value={value} onChange={(event) => choose(event.currentTarget.value as T)}>
+        {(Object.keys(names) as T[]).map((name) => (
+          <option key={name} value={name}>
+            {names[name]}
+          </option>
+        ))}
+      </select>
+    </div>
+  );
+}
+
+export function GasControls() {
+  const words = strings.value.gas;
+  const p = parameters.value;
+  return (
+    <div class="controls">
+      <fieldset>
+        <legend>{words.start}</legend>
+        <Row name="number" least={10} most={20000} step={100} whole />
+        <Row name="packing" least={0.001} most={0.8} step={0.05} />
+        <Row name="temperature" least={0.001} most={1000} step={0.1} />
+        <Choice id="gas-boundary" label={words.boundary} value={p.boundary} names={words.boundaries} choose={(boundary) => change({ boundary })} />
+        <Choice id="gas-speeds" label={words.speeds} value={p.speeds} names={words.startSpeeds} choose={(speeds) => change({ speeds })} />
+        <Row name="restitution" least={0} most={1} step={0.05} />
+        <details>
+          <summary>{words.mixture}</summary>
+          <Row name="fraction" least={0} most={1} step={0.1} />
+          <Row name="radiusRatio" least={0.1} most={10} step={0.1} />
+          <Row name="massRatio" least={0.001} most={1000} step={0.5} />
+          <Row name="seed" least={0} most={1e9} step={1} whole />
+        </details>
+      </fieldset>
+      <fieldset>
+        <legend>{strings.value.show}</legend>
+        <Choice id="gas-colour" label={words.colour} value={colour.value} names={words.colours} choose={(next: Colour) => (colour.value = next)} />
+        <label>
+          <input type="checkbox" id="gas-tag" checked={tagging.value} onChange={() => (tagging.value = !tagging.value)} />
+          <span>{words.tag}</span>
+        </label>
+        {p.boundary === 'reflecting' && (
+          <button type="button" id="gas-remove-wall" onClick={removeWall}>
+            {words.removeWall}
+          </button>
+        )}
+      </fieldset>
+    </div>
+  );
+}
+
+function removeWall(): void {
+  ask({ kind: 'removeWall' });
+  said.value = strings.value.gas.expanded;
+}

@@ -1,0 +1,145 @@
+// The state of the tab "Gas", and the worker that runs it.
+import { batch, signal } from '@preact/signals';
+import { startWorker } from '#worker';
+import { tomlNumber } from '../engine/scene';
+import { shown, strings } from '../strings';
+import type { Answer, Colour, GasParameters, Made, Measured, Picture, Request } from './messages';
+
+export const defaults: GasParameters = {
+  number: 2000,
+  packing: 0.3,
+  temperature: 1,
+  boundary: 'periodic',
+  restitution: 1,
+  fraction: 0,
+  radiusRatio: 2,
+  massRatio: 4,
+  speeds: 'equal',
+  seed: 1,
+};
+
+export const parameters = signal<GasParameters>(defaults);
+export const running = signal(false);
+/** Time units of the gas per second. */
+export const pace = signal(1);
+export const colour = signal<Colour>('speed');
+export const tagging = signal(false);
+export const box = signal<Made | null>(null);
+export const measured = signal<Measured | null>(null);
+export const history = signal<{ time: number; h: number; z: number }[]>([]);
+export const frameTimes = signal({ work: 0, draw: 0, perSecond: 0 });
+export const limited = signal(false);
+export const said = signal('');
+/** A gas that was opened from a file rather than made from parameters: its TOML. */
+export const opened = signal<string | null>(null);
+
+let module: WebAssembly.Module;
+let worker: Worker | null = null;
+let onPicture: (picture: Picture) => void = () => undefined;
+let onSaved: (toml: string) => void = () => undefined;
+let ratesSeen = 0;
+
+export function startGas(compiled: WebAssembly.Module): void {
+  module = compiled;
+}
+
+export function onEveryPicture(draw: (picture: Picture) => void): void {
+  onPicture = draw;
+}
+
+export function ask(request: Request): void {
+  if (!worker) {
+    worker = startWorker();
+    worker.onmessage = (event: MessageEvent<Answer>) => hear(event.data);
+    worker.postMessage({ kind: 'start', module } satisfies Request);
+  }
+  worker.postMessage(request);
+}
+
+/** The TOML of a gas with these parameters. */
+export function gasToml(p: GasParameters): string {
+  const second = Math.round(p.fraction * p.number);
+  const first = p.number - second;
+  const kinds = [
+    { count: first, radius: 0.5, mass: 1 },
+    { count: second, radius: 0.5 * p.radiusRatio, mass: p.massRatio },
+  ].filter(({ count }) => count > 0);
+  const area = kinds.reduce((sum, { count, radius }) => sum + count * radius * radius, 0);
+  const lines = ['[box]', `boundary = "${p.boundary}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
+  for (const { count, radius, mass } of kinds) {
+    const share = (count * radius * radius) / area;
+    lines.push('', '[[gas]]', `count = ${count}`, `packing_fraction = ${tomlNumber(p.packing * share)}`);
+    lines.push(`radius = ${tomlNumber(radius)}`, `mass = ${tomlNumber(mass)}`);
+    lines.push(`temperature = ${tomlNumber(p.temperature)}`, `seed = ${p.seed}`);
+    // The lattice has room for the largest disks on every site.
+    if (kinds.length > 1) lines.push('start = "random"');
+  }
+  return `title = "Gas of ${p.number} disks at packing fraction ${p.packing}"\n\n${lines.join('\n')}\n`;
+}
+
+export function makeGas(): void {
+  batch(() => {
+    history.value = [];
+    measured.value = null;
+    said.value = '';
+  });
+  ratesSeen = 0;
+  const toml = opened.value ?? gasToml(parameters.value);
+  ask({ kind: 'make', toml, equalSpeeds: opened.value === null && parameters.value.speeds === 'equal' });
+  ask({ kind: 'advance', time: 0, colour: colour.value, tag: tagging.value, measure: true });
+}
+
+export function change(next: Partial<GasParameters>): void {
+  opened.value = null;
+  parameters.value = { ...parameters.value, ...next };
+  makeGas();
+}
+
+/** Calls back with the scene as it is now. */
+export function saveGas(then: (toml: string) => void): void {
+  onSaved = then;
+  ask({ kind: 'save' });
+}
+
+function hear(answer: Answer): void {
+  const words = strings.value.gas;
+  switch (answer.kind) {
+    case 'made':
+      box.value = answer;
+      break;
+    case 'picture':
+      limited.value = answer.limited;
+      if (answer.measured) note(answer.measured);
+      onPicture(answer);
+      break;
+    case 'reversed':
+      said.value = words.reversed(shown(answer.time));
+      break;
+    case 'returned':
+      batch(() => {
+        running.value = false;
+        const far = answer.distance > 0.1;
+        said.value = `${words.returned(answer.distance.toExponential(1))} ${far ? words.forgot : words.remembers}`;
+      });
+      break;
+    case 'saved':
+      onSaved(answer.toml);
+      break;
+    case 'error':
+      batch(() => {
+        said.value = answer.message;
+        running.value = false;
+      });
+      break;
+  }
+}
+
+function note(next: Measured): void {
+  batch(() => {
+    measured.value = next;
+    // The first stretch after a start has no rate yet.
+    if (ratesSeen++ > 0) {
+      history.value = [...history.value.slice(-299), { time: next.time, h: next.h, z: next.compressibility }];
+    }
+  });
+}

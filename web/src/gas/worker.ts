@@ -1,0 +1,142 @@
+// Runs the gas beside the page, so that neither waits for the other.
+import { Engine } from '../engine/module';
+import { Measurer } from './measure';
+import type { Answer, Colour, Request } from './messages';
+
+const frameBudget = 13; // ms of work between two pictures
+
+let engine: Engine;
+let count = 0;
+let size = { x: 1, y: 1 };
+let kinds = new Float64Array();
+let measurer: Measurer;
+/** Time the engine covers per ms, as last seen. */
+let pace = 0.001;
+/** Where the disks stood at the start, and when they should stand there again. */
+let start: { x: Float64Array; y: Float64Array } | null = null;
+let returnsAt = Infinity;
+
+const say = (answer: Answer, moved: Transferable[] = []): void =>
+  (self as unknown as Worker).postMessage(answer, moved);
+const column = (name: string): Float64Array => engine.view(engine.call(`gas_${name}`), count);
+const time = (): number => engine.call('gas_time');
+
+function made(): void {
+  const summary = engine.numbers('gas_summary', 12);
+  size = { x: summary[9]!, y: summary[10]! };
+  kinds = engine.numbers('gas_kinds', 2 * count);
+  measurer = new Measurer(kinds, size, summary[11]!);
+  say({ kind: 'made', width: size.x, height: size.y, kinds });
+}
+
+function make(toml: string, equalSpeeds: boolean): void {
+  engine.setInput(toml);
+  count = engine.tryCall('gas_open', -1);
+  if (equalSpeeds) engine.tryCall('gas_equal_speeds', 0);
+  start = { x: column('x').slice(), y: column('y').slice() };
+  returnsAt = Infinity;
+  pace = 0.001;
+  made();
+}
+
+/** Goes on by `span`, or as far as it gets in a frame's budget. Returns whether it got there. */
+function advance(span: number): boolean {
+  const end = Math.min(time() + span, returnsAt > time() ? returnsAt : Infinity);
+  const begin = performance.now();
+  let spent = 0;
+  while (time() < end && spent < frameBudget) {
+    const from = time();
+    const chunk = Math.max(pace * (frameBudget - spent) * 0.5, 1e-9 * (1 + from));
+    const before = performance.now();
+    engine.tryCall('gas_run_until', 0, Math.min(end, from + chunk));
+    const now = performance.now();
+    pace = Math.min(1e6, ((time() - from) / Math.max(0.05, now - before)) * 0.7 + pace * 0.3);
+    spent = now - begin;
+  }
+  if (time() === returnsAt) {
+    returnsAt = Infinity;
+    say({ kind: 'returned', distance: distanceFromStart() });
+  }
+  return time() >= end;
+}
+
+/** Root mean square distance from the places at the start, in mean diameters. */
+function distanceFromStart(): number {
+  const x = column('x');
+  const y = column('y');
+  let sum = 0;
+  let diameters = 0;
+  for (let k = 0; k < count; ++k) {
+    const folded = (d: number, length: number): number => d - length * Math.round(d / length);
+    sum += folded(x[k]! - start!.x[k]!, size.x) ** 2 + folded(y[k]! - start!.y[k]!, size.y) ** 2;
+    diameters += 2 * kinds[2 * k]!;
+  }
+  return Math.sqrt(sum / count) / (diameters / count);
+}
+
+function disksOf(colour: Colour): Float32Array {
+  const order = colour === 'order' ? engine.numbers('gas_order', count + 1) : null;
+  const [x, y, vx, vy] = [column('x'), column('y'), column('vx'), column('vy')];
+  const picture = new Float32Array(3 * count);
+  const fastest = 3 * measurer.thermalSpeed;
+  const lightest = kinds[1]!;
+  for (let k = 0; k < count; ++k) {
+    picture[3 * k] = x[k]!;
+    picture[3 * k + 1] = y[k]!;
+    let shade = -1;
+    if (colour === 'speed') shade = Math.min(1, Math.hypot(vx[k]!, vy[k]!) / fastest);
+    else if (colour === 'kind') shade = kinds[2 * k + 1] === lightest && kinds[2 * k] === kinds[0] ? 0.25 : 0.85;
+    else if (order) shade = order[k + 1]!;
+    picture[3 * k + 2] = shade;
+  }
+  return picture;
+}
+
+function show(request: Request & { kind: 'advance' }): void {
+  const begin = performance.now();
+  const arrived = request.time > 0 ? advance(request.time) : true;
+  const work = performance.now() - begin;
+  const measured = request.measure ? measurer.measure(engine, count) : null;
+  if (request.measure) engine.call('gas_measure_anew');
+  const disks = disksOf(request.colour);
+  const turns = (axis: 'x' | 'y'): number => Number(engine.integers(engine.call(`gas_winding_${axis}`), 1)[0]!);
+  const tagged = request.tag ? { x: disks[0]! + turns('x') * size.x, y: disks[1]! + turns('y') * size.y } : null;
+  say({ kind: 'picture', disks, tagged, time: time(), limited: !arrived, work, measured }, [disks.buffer]);
+}
+
+async function answer(request: Request): Promise<void> {
+  switch (request.kind) {
+    case 'start':
+      engine = await Engine.start(request.module);
+      break;
+    case 'make':
+      make(request.toml, request.equalSpeeds);
+      break;
+    case 'advance':
+      if (count > 0) show(request);
+      break;
+    case 'reverse':
+      engine.tryCall('gas_reverse', 0);
+      returnsAt = returnsAt < Infinity ? Infinity : 2 * time();
+      say({ kind: 'reversed', time: time(), returnsAt });
+      break;
+    case 'removeWall':
+      engine.tryCall('gas_resize', 0, 2 * size.x, size.y);
+      start = null;
+      returnsAt = Infinity;
+      made();
+      break;
+    case 'save':
+      engine.tryCall('gas_toml', 0);
+      say({ kind: 'saved', toml: engine.text() });
+      break;
+  }
+}
+
+// Requests are answered in their order, also while the engine is still starting.
+let last: Promise<void> = Promise.resolve();
+self.onmessage = (event: MessageEvent<Request>): void => {
+  last = last
+    .then(() => answer(event.data))
+    .catch((error: unknown) => say({ kind: 'error', message: error instanceof Error ? error.message : String(error) }));
+};

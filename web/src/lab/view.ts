@@ -1,0 +1,78 @@
+// What the picture shows, and how lengths of the scene become lengths of the picture.
+import { computed, signal } from '@preact/signals';
+import { Vec } from '../engine/playback';
+import { disksNow, setup } from './model';
+
+/** In the order of the check boxes. */
+export const layers = [
+  'velocity',
+  'momentum',
+  'lines',
+  'parts',
+  'ghosts',
+  'impulse',
+  'centre',
+  'centreFrame',
+  'paths',
+  'grid',
+  'values',
+] as const;
+export type Layer = (typeof layers)[number];
+
+export const initialLayers: readonly Layer[] = ['velocity', 'lines', 'ghosts', 'values', 'grid'];
+export const show = signal<ReadonlySet<Layer>>(new Set(initialLayers));
+
+export function toggle(layer: Layer): void {
+  const next = new Set(show.value);
+  if (!next.delete(layer)) next.add(layer);
+  show.value = next;
+}
+
+/** A vector that a step of the derivation speaks of. n: along the normal, t: the tangent, f: after the collision. */
+export type Focus = 'v' | 'vf' | 'vn' | 'vt' | 'vnf' | 'lines' | 'units' | 'J';
+
+/** What the step shown speaks of; nothing outside the derivation. */
+export const focus = signal<ReadonlySet<Focus> | null>(null);
+
+/** The picture is 1000 units wide. */
+export const pictureWidth = 1000;
+export const scale = computed(() => pictureWidth / setup.value.width);
+export const pictureHeight = computed(() => setup.value.height * scale.value);
+
+export const totalMass = computed(() => setup.value.disks.reduce((sum, { mass }) => sum + mass, 0));
+
+/** Centre of mass and its velocity, now. */
+export const centre = computed(() => {
+  const mean = (of: 'x' | 'y' | 'vx' | 'vy'): number =>
+    disksNow.value.reduce((sum, disk) => sum + disk.mass * disk[of], 0) / totalMass.value;
+  return { x: mean('x'), y: mean('y'), vx: mean('vx'), vy: mean('vy') };
+});
+
+/** The frame of reference: what is taken off places and velocities. */
+export const observer = computed(() => {
+  if (!show.value.has('centreFrame')) return { x: 0, y: 0, vx: 0, vy: 0 };
+  const { x, y, vx, vy } = centre.value;
+  return { x: x - setup.value.width / 2, y: y - setup.value.height / 2, vx, vy };
+});
+
+/** From the scene to the picture. */
+export function toPicture({ x, y }: Vec): Vec {
+  return { x: (x - observer.value.x) * scale.value, y: (setup.value.height - (y - observer.value.y)) * scale.value };
+}
+
+/** From the picture to the scene. */
+export function toScene({ x, y }: Vec): Vec {
+  return { x: x / scale.value + observer.value.x, y: setup.value.height - y / scale.value + observer.value.y };
+}
+
+/** An arrow of the picture for a velocity as the frame of reference sees it. */
+export function arrowOf(v: Vec): Vec {
+  const length = setup.value.arrow * scale.value;
+  return { x: (v.x - observer.value.vx) * length, y: -(v.y - observer.value.vy) * length };
+}
+
+/** The same for a difference or a part of velocities, which no frame of reference changes. */
+export function arrowOfPart(v: Vec): Vec {
+  const length = setup.value.arrow * scale.value;
+  return { x: v.x * length, y: -v.y * length };
+}

@@ -1,0 +1,82 @@
+// The dialog "Share and save".
+import { useRef } from 'preact/hooks';
+import type { Contact } from '../engine/playback';
+import { announce, contactsSoFar, playback } from '../lab/model';
+import { said } from '../gas/model';
+import { strings } from '../strings';
+import { tab } from '../ui/app';
+import { Dialog, dialog } from '../ui/dialog';
+import { addressNow } from './address';
+import { copyText } from './clipboard';
+import { openFile, save, saveScene } from './files';
+import { pngOfCanvas, pngOfSvg, standaloneSvg } from './picture';
+import { csvOf } from './table';
+
+export function ShareDialog() {
+  const words = strings.value;
+  const menu = words.shareMenu;
+  const picker = useRef<HTMLInputElement>(null);
+  const inLab = tab.value === 'lab';
+  return (
+    <Dialog name="share" heading={menu.heading}>
+      <div class="menu">
+        <button type="button" id="copy-link" onClick={() => void copyLink()}>
+          {menu.link}
+        </button>
+        <button type="button" id="open-scene" onClick={() => picker.current!.click()}>
+          {menu.openScene}
+        </button>
+        <input
+          ref={picker}
+          id="scene-file"
+          type="file"
+          accept=".toml,.txt"
+          hidden
+          onChange={(event) => {
+            const file = event.currentTarget.files?.[0];
+            if (file) void openFile(file);
+            event.currentTarget.value = '';
+            dialog.value = null;
+          }}
+        />
+        <button type="button" id="save-scene" onClick={saveScene}>
+          {menu.saveScene}
+        </button>
+        <button type="button" id="save-png" onClick={() => void savePng()}>
+          {menu.png}
+        </button>
+        {inLab && (
+          <button type="button" id="save-svg" onClick={() => save('collision.svg', standaloneSvg())}>
+            {menu.svg}
+          </button>
+        )}
+        {inLab && (
+          <button type="button" id="save-csv" onClick={saveCsv}>
+            {menu.csv}
+          </button>
+        )}
+      </div>
+      <p class="note">{menu.drop}</p>
+    </Dialog>
+  );
+}
+
+async function copyLink(): Promise<void> {
+  const address = addressNow();
+  history.replaceState(null, '', address);
+  const words = (await copyText(address)) ? strings.value.copied : strings.value.notCopied;
+  announce(words);
+  said.value = words;
+  dialog.value = null;
+}
+
+async function savePng(): Promise<void> {
+  const canvas = document.querySelector<HTMLCanvasElement>('#gas-picture');
+  save(canvas ? 'gas.png' : 'collision.png', await (canvas ? pngOfCanvas(canvas) : pngOfSvg(standaloneSvg())));
+}
+
+function saveCsv(): void {
+  const contacts: Contact[] = [];
+  for (let k = 0; k < contactsSoFar.value; ++k) contacts.push(playback.value.contact(k)!);
+  save('contacts.csv', csvOf(contacts));
+}

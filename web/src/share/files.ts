@@ -1,0 +1,73 @@
+// Files that come in and go out. Nothing is sent anywhere.
+import { batch } from '@preact/signals';
+import { Scene, parseScene, sceneToml } from '../engine/scene';
+import { makeGas, opened, saveGas, said } from '../gas/model';
+import { announce, engine, load, sceneOf, setup, disksNow } from '../lab/model';
+import { setupOf } from '../lab/presets';
+import { strings } from '../strings';
+import { tab } from '../ui/app';
+
+/** More disks than this are a gas. */
+const mostInLab = 20;
+
+export function save(name: string, content: string | Blob): void {
+  const blob = typeof content === 'string' ? new Blob([content], { type: 'text/plain;charset=utf-8' }) : content;
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+export function openSceneText(text: string, name: string): void {
+  const words = strings.value;
+  let scene: Scene;
+  try {
+    scene = parseScene(engine(), text);
+  } catch (error) {
+    const message = `${name}: ${error instanceof Error ? error.message : String(error)}`;
+    announce(message);
+    said.value = message;
+    return;
+  }
+  if (scene.disks.length > mostInLab) {
+    batch(() => {
+      opened.value = text;
+      tab.value = 'gas';
+    });
+    makeGas();
+    said.value = words.shareMenu.tooMany(scene.disks.length);
+    return;
+  }
+  load(setupOf(scene));
+  tab.value = 'lab';
+  announce(words.shareMenu.opened(name));
+}
+
+export async function openFile(file: File): Promise<void> {
+  openSceneText(await file.text(), file.name);
+}
+
+export function saveScene(): void {
+  if (tab.value === 'gas') saveGas((toml) => save('gas.toml', toml));
+  else save('disks.toml', sceneToml({ ...sceneOf(setup.value), disks: disksNow.value }));
+}
+
+/** For useEffect: takes dropped scene files until the function returned is called. */
+export function acceptDroppedFiles(): () => void {
+  const over = (event: DragEvent): void => {
+    if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+  };
+  const drop = (event: DragEvent): void => {
+    const file = event.dataTransfer?.files[0];
+    if (!file) return;
+    event.preventDefault();
+    void openFile(file);
+  };
+  document.addEventListener('dragover', over);
+  document.addEventListener('drop', drop);
+  return () => {
+    document.removeEventListener('dragover', over);
+    document.removeEventListener('drop', drop);
+  };
+}

@@ -1,0 +1,119 @@
+// Property: axe-core finds nothing, at any width, theme and language; the page loads little and asks nobody else.
+import { gzipSync } from 'node:zlib';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { Server } from 'node:http';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { launch, open, serve } from '../browser';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+let browser: Browser;
+let server: Server;
+let address: string;
+
+beforeAll(async () => {
+  browser = await launch();
+  ({ server, address } = await serve());
+});
+afterAll(async () => {
+  await browser.close();
+  server.close();
+});
+
+interface Violation {
+  id: string;
+  nodes: { html: string; failureSummary: string }[];
+}
+
+/** The page's policy forbids strange scripts; the browser's debugger may run them all the same. */
+async function violations(page: Page): Promise<string[]> {
+  await page.evaluate(axe);
+  const found = (await page.evaluate('axe.run(document, { resultTypes: ["violations"] })')) as { violations: Violation[] };
+  return found.violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => `${node.html} ${node.failureSummary}`).join(' | ')}`);
+}
+
+describe('access', () => {
+  for (const [width, dark, locale] of [
+    [360, false, 'de-DE'],
+    [1280, false, 'en-GB'],
+    [1280, true, 'en-GB'],
+    [1920, true, 'de-DE'],
+  ] as const) {
+    it(`${width} wide, ${dark ? 'dark' : 'light'}, ${locale}`, async () => {
+      const { page, troubles, context } = await open(browser, address, { width, dark, locale });
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+      expect(await page.getAttribute('html', 'lang')).toBe(locale.slice(0, 2));
+      expect(await violations(page)).toEqual([]);
+      await page.click('#next-contact');
+      await page.click('#panel-derivation');
+      await page.check('#all-steps');
+      expect(await violations(page)).toEqual([]);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+      await page.click('#open-keys');
+      expect(await violations(page)).toEqual([]);
+      await page.keyboard.press('Escape');
+      await page.click('#open-share');
+      await page.keyboard.press('Escape');
+      await page.click('#tab-gas');
+      await page.click('#gas-play');
+      await page.waitForSelector('#gas-collisions');
+      expect(await violations(page)).toEqual([]);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+      expect(troubles).toEqual([]);
+      await context.close();
+    });
+  }
+
+  it('the decimal mark is the language’s', async () => {
+    const { page, context } = await open(browser, address, { locale: 'de-DE' });
+    expect(await page.textContent('#clock')).toBe('0,00');
+    await page.selectOption('#language', 'en');
+    expect(await page.textContent('#clock')).toBe('0.00');
+    await context.close();
+  });
+
+  it('all is reached by Tab, with a visible focus', async () => {
+    const { page, context } = await open(browser, address);
+    const reached = new Set<string>();
+    for (let k = 0; k < 80; ++k) {
+      await page.keyboard.press('Tab');
+      const { name, visible } = await page.evaluate(() => {
+        const at = document.activeElement!;
+        const ring = at.querySelector('.focus-ring');
+        const style = getComputedStyle(ring ?? at);
+        return { name: at.id || at.getAttribute('data-disk') || at.getAttribute('data-tip') || at.tagName, visible: ring ? style.stroke !== 'none' : style.outlineStyle !== 'none' };
+      });
+      if (name === 'BODY') break; // past the last one
+      expect(visible, name).toBe(true);
+      reached.add(name);
+    }
+    for (const id of ['tab-gas', 'open-share', 'theme', 'language', 'restart', 'play', 'next-contact', 'slow', 'add-disk', 'panel-derivation', 'preset', 'show-parts', 'restitution', 'border']) {
+      expect([...reached]).toContain(id);
+    }
+    await context.close();
+  });
+});
+
+describe('loading', () => {
+  it('takes less than 700 kB compressed, the derivation with its fonts included', async () => {
+    const context = await browser.newContext();
+    const page = await context.newPage();
+    const sizes = new Map<string, number>();
+    page.on('response', (response) => {
+      void response.body().then((body) => sizes.set(response.url(), response.url().endsWith('woff2') ? body.length : gzipSync(body, { level: 9 }).length)).catch(() => undefined);
+    });
+    const start = Date.now();
+    await page.goto(address);
+    await page.waitForSelector('html[data-ready]');
+    console.log(`interactive after ${Date.now() - start} ms`);
+    await page.click('#panel-derivation');
+    await page.waitForSelector('.katex');
+    await page.waitForTimeout(500);
+    const total = [...sizes.values()].reduce((sum, size) => sum + size, 0);
+    console.log(`loaded ${Math.round(total / 1000)} kB compressed in ${sizes.size} files`);
+    expect(sizes.size).toBeGreaterThan(3);
+    expect(total).toBeLessThan(700_000);
+    await context.close();
+  });
+});

@@ -1,0 +1,90 @@
+// Property: a state comes back from its address, its file and its table; bad files are refused with line and column.
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Server } from 'node:http';
+import type { Browser, Download, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { launch, open, serve } from '../browser';
+import { carom, root } from '../engine';
+
+let browser: Browser;
+let server: Server;
+let address: string;
+let page: Page;
+let troubles: string[];
+let close: () => Promise<void>;
+const folder = mkdtempSync(join(tmpdir(), 'carom-lab-'));
+
+beforeAll(async () => {
+  browser = await launch();
+  ({ server, address } = await serve());
+});
+afterAll(async () => {
+  await browser.close();
+  server.close();
+});
+beforeEach(async () => {
+  const opened = await open(browser, address);
+  ({ page, troubles } = opened);
+  close = () => opened.context.close();
+});
+afterEach(async () => {
+  expect(troubles).toEqual([]);
+  await close();
+});
+
+async function saved(button: string): Promise<string> {
+  const [download] = (await Promise.all([page.waitForEvent('download'), page.click(button)])) as [Download, void];
+  const path = join(folder, download.suggestedFilename());
+  await download.saveAs(path);
+  return path;
+}
+const cells = (): Promise<string[]> => page.locator('tbody input').evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value));
+
+describe('sharing', () => {
+  it('the address holds the state', async () => {
+    await page.selectOption('#preset', 'heavyOnLight');
+    await page.check('#show-paths');
+    const before = await cells();
+    await page.click('#open-share');
+    await page.click('#copy-link');
+    await page.waitForFunction(() => location.hash.length > 10);
+    const second = await open(browser, page.url());
+    page = second.page;
+    expect(await cells()).toEqual(before);
+    expect(await page.isChecked('#show-paths')).toBe(true);
+    await second.context.close();
+  });
+  it('scenes, pictures and tables are saved, and the program reads them', async () => {
+    await page.click('#next-contact');
+    await page.click('#next-contact');
+    await page.click('#open-share');
+    const scene = await saved('#save-scene');
+    carom(['check', scene]);
+    const svg = readFileSync(await saved('#save-svg'), 'utf8');
+    expect(svg).toMatch(/^<svg .*<circle/s);
+    expect(readFileSync(await saved('#save-png')).subarray(1, 4).toString()).toBe('PNG');
+    const rows = readFileSync(await saved('#save-csv'), 'utf8').trim().split('\n');
+    expect(rows[0]).toBe('time,i,j,x,y,nx,ny,impulse');
+    expect(rows.length).toBe(3);
+    await page.click('#close-share');
+    const before = await cells();
+    await page.selectOption('#preset', 'five');
+    await page.setInputFiles('#scene-file', scene);
+    await expect.poll(cells).toEqual(before);
+  });
+  it('scenes of many disks run as a gas', async () => {
+    await page.setInputFiles('#scene-file', `${root}scenes/gas.toml`);
+    await page.waitForSelector('#gas-picture');
+    await page.waitForSelector('#gas-time');
+    await page.click('#open-share');
+    carom(['check', await saved('#save-scene')]);
+  });
+  it('what is wrong with a file is said', async () => {
+    const file = join(folder, 'bad.toml');
+    writeFileSync(file, '[box]\nsize = [8, 5]\n\n[[disk]]\npositon = [1, 1]\n');
+    await page.setInputFiles('#scene-file', file);
+    await expect.poll(() => page.textContent('#said')).toContain('5:1');
+  });
+});
