@@ -1,17 +1,12 @@
 #include "carom/io/output_directory.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "carom/base/error.hpp"
+#include "carom/io/directory_lock.hpp"
 #include "carom/io/file.hpp"
 
 namespace carom {
@@ -94,32 +89,6 @@ void remove_file(const fs::path& file) {
 
 }  // namespace
 
-/// An open directory on which nobody else holds a lock. Where the file system knows no locks there is none.
-class OutputDirectory::Lock {
- public:
-  explicit Lock(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-    ::close(descriptor_);
-    throw Error("another run is writing here", {path});
-  }
-  ~Lock() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
-
-  /// Whether `path` still names the directory that was locked.
-  [[nodiscard]] bool is_at(const std::string& path) const noexcept {
-    struct stat locked {};
-    struct stat found {};
-    if (descriptor_ < 0 || ::fstat(descriptor_, &locked) != 0) return true;
-    return ::stat(path.c_str(), &found) == 0 && locked.st_dev == found.st_dev && locked.st_ino == found.st_ino;
-  }
-
- private:
-  int descriptor_;
-};
-
 OutputDirectory::OutputDirectory(std::string path, bool overwrite) : path_(std::move(path)) {
   create(path_);
   if (!overwrite) {
@@ -141,7 +110,7 @@ OutputDirectory OutputDirectory::of_run(std::string path) {
 }
 
 void OutputDirectory::lock_and_prove_writable() {
-  lock_ = std::make_shared<const Lock>(path_);
+  lock_ = std::make_shared<const DirectoryLock>(path_);
   prove_writable(path_, in(kTrial));
 }
 

@@ -16,6 +16,9 @@ class DirectoryLock {
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
+  /// Whether `path` still names the directory that was locked.
+  [[nodiscard]] bool is_at(const std::string& path) const noexcept;
+
  private:
   int descriptor_;
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "carom/io/directory_lock.hpp"
 #include "carom/run/settings.hpp"
 
 namespace carom {
@@ -43,12 +44,11 @@ class OutputDirectory {
   [[nodiscard]] std::string name_within(const std::string& path) const;
 
  private:
-  class Lock;
   OutputDirectory() = default;
   void lock_and_prove_writable();
 
   std::string path_;
-  std::shared_ptr<const Lock> lock_;
+  std::shared_ptr<const DirectoryLock> lock_;
 };
 
 }  // namespace carom
