@@ -9,8 +9,8 @@
 namespace carom {
 
 void FrameSpacing::expect(double time) {
-  constexpr double kTolerance = 1e-6;
-  if (started_ && !(std::abs(time - last_ - spacing_) <= kTolerance * spacing_)) {
+  const double tolerance = 1e-6 * spacing_ + 1e-15 * std::abs(time);
+  if (started_ && !(std::abs(time - last_ - spacing_) <= tolerance)) {
     throw Error(
         fmt::format("{}: frames must be evenly spaced, but the one at time {} follows that at {} where {} is due",
                     observable_, time, last_, last_ + spacing_));

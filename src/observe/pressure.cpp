@@ -33,7 +33,8 @@ class Pressure final : public Observable {
                     (system.box.reflecting(1) ? system.box.size.x : 0))),
         elastic_(system.physics.elastic()),
         diameter_(system.species.size() == 1 ? std::optional(2 * system.radius(0)) : std::nullopt),
-        fluid_(fluid_of_equal_disks(system)) {}
+        fluid_(fluid_of_equal_disks(system)),
+        two_(two_disks(system)) {}
 
   [[nodiscard]] std::string_view name() const noexcept override { return "pressure"; }
 
@@ -65,6 +66,10 @@ class Pressure final : public Observable {
       z.theory = kolafa_rottner(fluid_->packing_fraction);
       z.theory_source = "Kolafa and Rottner 2006, infinite system";
     }
+    if (two_) {
+      z.theory = 1 + two_->excess;
+      z.theory_source = "exact";
+    }
     const double density = disks_ / area_;
     measurement.estimates = {z, scaled(z, "pressure", "1/length²", density)};
     if (diameter_) measurement.estimates.push_back(scaled(z, "pressure_d2", "", density * *diameter_ * *diameter_));
@@ -85,6 +90,7 @@ class Pressure final : public Observable {
   const bool elastic_;
   const std::optional<double> diameter_;
   const std::optional<EqualDisks> fluid_;
+  const std::optional<TwoDisks> two_;
 
   double sum_ = 0;    // ∫ Z dt
   double time_ = 0;   // measured

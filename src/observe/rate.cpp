@@ -21,7 +21,9 @@ class Rate final : public Observable {
   explicit Rate(const System& system)
       : disks_(static_cast<double>(system.size())),
         freedom_(degrees_of_freedom(system)),
-        fluid_(fluid_of_equal_disks(system)) {}
+        mass_(system.mass(0)),
+        fluid_(fluid_of_equal_disks(system)),
+        two_(two_disks(system)) {}
 
   [[nodiscard]] std::string_view name() const noexcept override { return "rate"; }
 
@@ -43,7 +45,11 @@ class Rate final : public Observable {
         add_estimate(measurement, "collision_rate", "1/time", rates_, spacing, 2 * collisions_ / (disks_ * time_));
     if (fluid_) {
       rate.theory = enskog_rate(*fluid_, kT_.result().mean) * finite_rate_factor(freedom_);
-      rate.theory_source = "Enskog, g of Kolafa and Rottner 2006 (infinite system)";
+      rate.theory_source = "Enskog, g of Kolafa and Rottner 2006, infinite system";
+    }
+    if (two_) {
+      rate.theory = two_->rate_per * std::sqrt(4 * kT_.result().mean / mass_);
+      rate.theory_source = "exact";
     }
     measurement.estimates = {rate};
     if (!(collisions_ > 0)) return measurement;
@@ -77,6 +83,7 @@ class Rate final : public Observable {
     path.unit = "length";
     path.value = speed.mean / rate.value;
     if (path.error && speed.error) *path.error = std::hypot(speed.mean * *path.error, *speed.error / rate.value);
+    path.theory.reset();
     if (fluid_) {
       const double g = contact_value(fluid_->packing_fraction);
       path.theory = std::sqrt((1 - 1 / disks_) / 8) / (fluid_->number_density * fluid_->diameter * g);
@@ -86,7 +93,9 @@ class Rate final : public Observable {
 
   const double disks_;
   const double freedom_;
+  const double mass_;
   const std::optional<EqualDisks> fluid_;
+  const std::optional<TwoDisks> two_;
 
   double collisions_ = 0;
   double time_ = 0;

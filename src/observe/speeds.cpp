@@ -128,8 +128,9 @@ class Speeds final : public Observable {
     std::vector<double> masses;
     for (const Species& kind : system.species) {
       if (std::find(masses.begin(), masses.end(), kind.mass) == masses.end()) masses.push_back(kind.mass);
+      if (masses.size() > kMostMasses) return {};
     }
-    return masses.size() == 1 || masses.size() > kMostMasses ? std::vector<double>{} : masses;
+    return masses.size() == 1 ? std::vector<double>{} : masses;
   }
 
   /// Adds a frame to the histograms, and its H to the series.
@@ -209,8 +210,8 @@ class Speeds final : public Observable {
 
   void add_estimates(Measurement& measurement) const {
     const std::uint64_t samples = moments_.result().samples;
-    Estimate& ratio =
-        add_estimate(measurement, "moment_ratio", "", moments_, sampled_time_ / static_cast<double>(samples));
+    const double spacing = sampled_time_ / static_cast<double>(from_frames_ ? samples - 1 : samples);
+    Estimate& ratio = add_estimate(measurement, "moment_ratio", "", moments_, spacing);
     if (masses_.empty() && conserved_ != 1) {
       ratio.theory = 2 * freedom_ / (freedom_ + 2);
       ratio.theory_source = "Maxwell, N disks of given energy";
@@ -223,7 +224,7 @@ class Speeds final : public Observable {
     if (from_frames_) {
       p_value.warnings.emplace_back("holds if frames are further apart than velocities are correlated");
     }
-    add_estimate(measurement, "sample_spacing", "time", sampled_time_ / static_cast<double>(samples));
+    add_estimate(measurement, "sample_spacing", "time", spacing);
   }
 
   [[nodiscard]] Table histogram() const {

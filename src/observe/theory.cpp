@@ -1,5 +1,6 @@
 #include "carom/observe/theory.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -22,8 +23,8 @@ std::optional<EqualDisks> gas_of_equal_disks(const System& system) {
   const Box& box = system.box;
   const double area = box.size.x * box.size.y;
   if (box.boundary[0] == Boundary::open || box.boundary[1] == Boundary::open) return std::nullopt;
-  if (system.species.size() != 1 || system.size() < 2 || !(area > 0)) return std::nullopt;
   const auto disks = static_cast<double>(system.size());
+  if (system.species.size() != 1 || disks < kFewestDisks || !(area > 0)) return std::nullopt;
   const EqualDisks gas{.diameter = 2 * system.radius(0),
                        .mass = system.mass(0),
                        .number_density = disks / area,
@@ -35,6 +36,15 @@ std::optional<EqualDisks> gas_of_equal_disks(const System& system) {
 std::optional<EqualDisks> fluid_of_equal_disks(const System& system) {
   const bool periodic = system.box.periodic(0) && system.box.periodic(1);
   return periodic && system.physics.elastic() ? gas_of_equal_disks(system) : std::nullopt;
+}
+
+std::optional<TwoDisks> two_disks(const System& system) {
+  const Box& box = system.box;
+  if (system.size() != 2 || system.species.size() != 1 || !system.physics.elastic()) return std::nullopt;
+  const double d = 2 * system.radius(0);
+  if (!box.periodic(0) || !box.periodic(1) || std::min(box.size.x, box.size.y) < 2 * d) return std::nullopt;
+  const double free = box.size.x * box.size.y - kPi * d * d;
+  return TwoDisks{.excess = kPi * d * d / (2 * free), .rate_per = 2 * d / free};
 }
 
 double kolafa_rottner(double packing_fraction) {

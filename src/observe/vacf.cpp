@@ -27,6 +27,7 @@ namespace {
 
 constexpr std::size_t kStandardLevels = 5;
 constexpr std::size_t kStandardDisks = 10000;
+constexpr double kSmoothEnough = 0.6;      // C between two frames
 constexpr std::uint64_t kLagsPerRun = 32;  // so much longer than a lag must a run be for `diffusion`
 
 class Vacf final : public Observable {
@@ -159,6 +160,9 @@ class Vacf final : public Observable {
     if (last + 1 < past_.lags()) {
       diffusion.warnings.emplace_back(
           "the run is too short for the longest lags: this is the integral up to diffusion_lag");
+    }
+    if (products_.mean(1).value < kSmoothEnough * products_.mean(0).value) {
+      diffusion.warnings.emplace_back("velocities change much from frame to frame: the integral is not accurate");
     }
     add_estimate(measurement, "diffusion_lag", "time", time_of(last));
   }

@@ -78,6 +78,11 @@ SceneFile any_scene_file() {
   file.run.equilibrate = any_fraction();
   file.run.every = perhaps_positive();
   file.run.trajectory = *rc::gen::element(TrajectoryFormat::none, TrajectoryFormat::xyz);
+  for (int k = *rc::gen::inRange(0, 3); k > 0; --k) {
+    file.run.observe.push_back({.name = *rc::gen::element<std::string>("pressure", "msd")});
+    if (*rc::gen::arbitrary<bool>()) file.run.observe.back().options["interval"] = *any_double();
+    if (*rc::gen::arbitrary<bool>()) file.run.observe.back().options["a-b"] = *any_double();
+  }
   return file;
 }
 
@@ -134,6 +139,11 @@ RC_GTEST_PROP(SceneRoundTrip, TomlKeepsEveryBit, ()) {
   expect_same(file.run.equilibrate, read.run.equilibrate);
   expect_same(file.run.every, read.run.every);
   RC_ASSERT(file.run.trajectory == read.run.trajectory);
+  RC_ASSERT(file.run.observe.size() == read.run.observe.size());
+  for (std::size_t k = 0; k < file.run.observe.size(); ++k) {
+    RC_ASSERT(file.run.observe[k].name == read.run.observe[k].name);
+    RC_ASSERT(file.run.observe[k].options == read.run.observe[k].options);
+  }
 }
 
 TEST(SceneRoundTrip, NegativeZeroAndWholeNumbersStayFloats) {

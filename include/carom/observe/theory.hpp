@@ -7,6 +7,9 @@
 
 namespace carom {
 
+/// Fewer disks are no gas that theory could be held against.
+inline constexpr double kFewestDisks = 50;
+
 /// A gas of equal disks.
 struct EqualDisks {
   double diameter = 1;
@@ -16,8 +19,8 @@ struct EqualDisks {
   double disks = 0;             ///< N
 };
 
-/// The system as a gas of equal elastic disks, if it is one in the fluid range (η < 0.7) of a periodic box, where the
-/// functions below hold; else nothing.
+/// The system as a gas of at least kFewestDisks equal elastic disks, if it is one in the fluid range (η < 0.7) of a
+/// periodic box, where the functions below hold but for the size; else nothing.
 std::optional<EqualDisks> fluid_of_equal_disks(const System& system);
 /// The same for any restitution and boundary without an open axis: for what holds at a start, or approximately.
 std::optional<EqualDisks> gas_of_equal_disks(const System& system);
@@ -34,6 +37,15 @@ double enskog_rate(const EqualDisks& gas, double kT);
 /// Self-diffusion D = √(kT/(π m))/(2 ρ d g) × 1.02704 (length²/time): Enskog's first Sonine approximation times the
 /// factor to which the expansion converges.
 double enskog_diffusion(const EqualDisks& gas, double kT);
+
+/// Two equal elastic disks in a periodic box, both sides at least 2 d: exact, for their relative motion is that of a
+/// point among round obstacles, with a mean free path of (A − π d²)/(2 d).
+struct TwoDisks {
+  double excess = 0;    ///< Z − 1 = π d²/(2 (A − π d²)), with kT = 2E/f
+  double rate_per = 0;  ///< collisions per time are this times the relative speed √(4 kT/m) (1/length)
+};
+/// Nothing if the system is another.
+std::optional<TwoDisks> two_disks(const System& system);
 
 /// C = √(f/2) Γ(f/2)/Γ((f+1)/2): by which a system of f degrees of freedom and given energy collides more often than at
 /// the temperature kT = 2E/f of a heat bath. Tends to 1 for large f.
