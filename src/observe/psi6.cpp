@@ -68,6 +68,7 @@ class Psi6 final : public Observable {
   }
 
   void exchange(SumsExchange sums) override {
+    sums.number("interval", interval_);
     sums.number("disks", disks_);
     for (Series* series : {&time_, &global_, &angle_, &local_, &five_, &six_, &seven_}) {
       sums.numbers(series->name, series->values);

@@ -92,6 +92,7 @@ class Rdf final : public Observable {
   [[nodiscard]] Measurement result() const override;
 
   void exchange(SumsExchange sums) override {
+    sums.number("interval", interval_);
     for (Partial& partial : partials_) {
       const SumsExchange own = sums.below("g" + partial.suffix);
       partial.g.exchange(own.below("bins"));

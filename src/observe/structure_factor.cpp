@@ -88,6 +88,7 @@ class StructureFactor final : public Observable {
   }
 
   void exchange(SumsExchange sums) override {
+    sums.number("interval", interval_);
     by_shell_.exchange(sums.below("shells"));
     limit_.exchange(sums.below("limit"));
   }

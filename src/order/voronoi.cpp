@@ -18,8 +18,10 @@ using Cell = Diagram::cell_type;
 
 // Shorter edges (in steps) can come from rounding the coordinates of disks on one circle.
 constexpr double kShortestEdge = 16;
-// Width of the first strip of copies in mean distances between disks: enough unless there are large holes.
-constexpr double kFirstMargin = 4.5;
+
+/// Width of the first strip of copies, in mean distances between disks: a little more than the diameter of the largest
+/// empty circle among as many random points, √(4 ln N/π); enough unless there are holes.
+double first_margin(std::size_t disks) { return 0.5 + std::sqrt(4 * (1 + std::log(static_cast<double>(disks))) / kPi); }
 
 /// A point of the diagram: a disk, or a copy of one.
 struct Site {
@@ -155,7 +157,8 @@ class Cells {
 VoronoiCells voronoi_cells(const System& system, const Frame& frame) {
   if (frame.size() == 0) return {{0}, {}, {}};
   Region region = region_of(system, frame);
-  double margin = kFirstMargin * std::sqrt(region.x.width * region.y.width / static_cast<double>(frame.size()));
+  const double spacing = std::sqrt(region.x.width * region.y.width / static_cast<double>(frame.size()));
+  double margin = first_margin(frame.size()) * spacing;
   for (;; margin *= 2) {
     lay_grid(region, margin, frame.size());
     const Cells cells(frame, region);

@@ -107,7 +107,7 @@ void expect_like_cut_cells(const Arrangement& points) {
       EXPECT_EQ(std::get<0>(found[b]), std::get<0>(wanted[b]));
       EXPECT_NEAR(std::get<1>(found[b]), std::get<1>(wanted[b]), 1e-12);
       EXPECT_NEAR(std::get<2>(found[b]), std::get<2>(wanted[b]), 1e-12);
-      EXPECT_NEAR(std::get<3>(found[b]), std::get<3>(wanted[b]), 1e-6);
+      EXPECT_NEAR(std::get<3>(found[b]), std::get<3>(wanted[b]), 1e-6 * points.system.box.size.x);
     }
   }
 }
