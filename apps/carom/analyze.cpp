@@ -19,11 +19,7 @@ struct AnalyzeOptions {
 };
 
 int analyze_command(const AnalyzeOptions& options) {
-  std::vector<ObserveSpec> specs = options.what;
-  if (specs.empty()) {
-    for (const std::string& name : observables_of_frames()) specs.push_back({.name = name});
-  }
-  const std::vector<Measurement> found = analyze(options.path, specs);
+  const std::vector<Measurement> found = analyze(options.path, options.what);
   if (!options.csv.empty()) write_measurements(found, options.csv);
   print(options.json ? measurements_json(found) : measurements_text(found));
   return kSuccess;

@@ -105,6 +105,20 @@ class Unwinding {
   bool doubtful_ = false;
 };
 
+/// Every observable that these frames have: an open plane has no profile, a single disk no temperature.
+std::vector<ObserveSpec> all_for(const Subject& subject) {
+  std::vector<ObserveSpec> specs;
+  for (const std::string& name : observables_of_frames()) {
+    try {
+      make_observable({.name = name}, subject);
+      specs.push_back({.name = name});
+    } catch (const Error&) {
+      continue;
+    }
+  }
+  return specs;
+}
+
 }  // namespace
 
 std::vector<std::string> observables_of_frames() {
@@ -127,7 +141,8 @@ std::vector<Measurement> analyze(const std::string& path, const std::vector<Obse
         fmt::format("its time {} is not after that of the frame before, {}", next->frame.time, first->frame.time));
   }
   const double spacing = next ? next->frame.time - first->frame.time : 1;
-  ObservableSet set(specs, {first->system, first->frame, spacing});
+  const Subject subject{first->system, first->frame, spacing};
+  ObservableSet set(specs.empty() ? all_for(subject) : specs, subject);
   set.on_frame(first->system, first->frame);
 
   Unwinding unwinding(*first);

@@ -41,8 +41,8 @@ class Msd final : public Observable {
     kT_ = temperature(system, frame);
     const std::vector<double> now = unwrapped(system, frame);
     past_.add(now, [&](std::size_t lag, std::span<const double> then) {
-      double sum = 0;
-      for (std::size_t k = 0; k < now.size(); ++k) sum += (now[k] - then[k]) * (now[k] - then[k]);
+      const double sum =
+          sum_in_four(now.size(), [&](std::size_t k) { return (now[k] - then[k]) * (now[k] - then[k]); });
       squares_.add(lag, sum / static_cast<double>(disks_.size()));
     });
     squares_.end_sample();

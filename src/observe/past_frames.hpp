@@ -1,6 +1,7 @@
 // Frames of the past at lags that reach far with few of them kept.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -65,6 +66,18 @@ class PastFrames {
   std::int64_t frames_ = 0;
   std::vector<double> past_;  // level by level, slot by slot; grows with the highest level in use
 };
+
+/// Σ term(k) over `count` numbers, in four sums that do not wait for one another and always come together in one order.
+template <typename Term>
+double sum_in_four(std::size_t count, const Term& term) {
+  std::array<double, 4> sums{};
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    for (std::size_t lane = 0; lane < 4; ++lane) sums[lane] += term(k + lane);
+  }
+  for (; k < count; ++k) sums[0] += term(k);
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
 
 /// Which disks are followed where there are more than `most`: as many, evenly chosen.
 std::vector<std::size_t> evenly_chosen(std::size_t disks, std::size_t most);

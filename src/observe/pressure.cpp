@@ -40,8 +40,7 @@ class Pressure final : public Observable {
 
   void on_window(const WindowRecord& window) override {
     const double duration = window.before.clock.length;
-    double kT = temperature(window.system, window.after.disks);
-    if (!elastic_) kT = 0.5 * (kT + temperature(window.system, window.before.disks));
+    const double kT = temperature_of(window);
     if (!(kT > 0)) return;
     // Z times the duration.
     double sum = 0;
@@ -79,10 +78,19 @@ class Pressure final : public Observable {
   void exchange(SumsExchange sums) override {
     sums.number("sum", sum_);
     sums.number("time", time_);
+    sums.number("kT", kT_);
     samples_.exchange(sums.below("samples"));
   }
 
  private:
+  /// In an elastic system the same for all windows but for rounding: computed once.
+  double temperature_of(const WindowRecord& window) {
+    if (elastic_ && kT_ > 0) return kT_;
+    kT_ = temperature(window.system, window.after.disks);
+    if (!elastic_) kT_ = 0.5 * (kT_ + temperature(window.system, window.before.disks));
+    return kT_;
+  }
+
   const bool virial_;
   const double disks_;
   const double area_;
@@ -93,6 +101,7 @@ class Pressure final : public Observable {
   const std::optional<TwoDisks> two_;
 
   double sum_ = 0;    // ∫ Z dt
+  double kT_ = 0;     // of the last window
   double time_ = 0;   // measured
   Blocking samples_;  // Z of each window
 };

@@ -34,7 +34,7 @@ class Rate final : public Observable {
     time_ += duration;
     rates_.add(2 * collisions / (disks_ * duration));
     speeds_.add(mean_speed(window.system, window.after.disks));
-    kT_.add(temperature(window.system, window.after.disks));
+    if (!(kT_ > 0)) kT_ = temperature(window.system, window.after.disks);
   }
 
   [[nodiscard]] Measurement result() const override {
@@ -44,11 +44,11 @@ class Rate final : public Observable {
     Estimate rate =
         add_estimate(measurement, "collision_rate", "1/time", rates_, spacing, 2 * collisions_ / (disks_ * time_));
     if (fluid_) {
-      rate.theory = enskog_rate(*fluid_, kT_.result().mean) * finite_rate_factor(freedom_);
+      rate.theory = enskog_rate(*fluid_, kT_) * finite_rate_factor(freedom_);
       rate.theory_source = "Enskog, g of Kolafa and Rottner 2006, infinite system";
     }
     if (two_) {
-      rate.theory = two_->rate_per * std::sqrt(4 * kT_.result().mean / mass_);
+      rate.theory = two_->rate_per * std::sqrt(4 * kT_ / mass_);
       rate.theory_source = "exact";
     }
     measurement.estimates = {rate};
@@ -61,9 +61,9 @@ class Rate final : public Observable {
   void exchange(SumsExchange sums) override {
     sums.number("collisions", collisions_);
     sums.number("time", time_);
+    sums.number("kT", kT_);
     rates_.exchange(sums.below("rates"));
     speeds_.exchange(sums.below("speeds"));
-    kT_.exchange(sums.below("kT"));
   }
 
  private:
@@ -99,10 +99,10 @@ class Rate final : public Observable {
 
   double collisions_ = 0;
   double time_ = 0;
+  double kT_ = 0;  // of the first window: theory is for elastic systems, where it stays
   // One sample per window.
   Blocking rates_;
   Blocking speeds_;
-  Blocking kT_;
 };
 
 }  // namespace

@@ -79,8 +79,7 @@ class Vacf final : public Observable {
       now.push_back(frame.vy[k] - drift.y);
     }
     past_.add(now, [&](std::size_t lag, std::span<const double> then) {
-      double sum = 0;
-      for (std::size_t k = 0; k < now.size(); ++k) sum += now[k] * then[k];
+      const double sum = sum_in_four(now.size(), [&](std::size_t k) { return now[k] * then[k]; });
       products_.add(lag, sum / static_cast<double>(disks_.size()));
     });
     products_.end_sample();

@@ -198,6 +198,12 @@ class Analyze(ObserveTest):
         self.assertAlmostEqual(self.estimate(found, "temperature", "kT")["value"], 1, delta=1e-9)
         self.assertIn("Observables\n", self.succeed("analyze", "out").stdout)
 
+    def test_by_default_only_what_the_frames_have(self):
+        self.write("open.toml", GAS.replace("[run]", '[box]\nboundary = "open"\n[run]').replace("2000", "100"))
+        self.succeed("run", "open.toml", "--out", "out")
+        self.assertNotIn("temperature_profile", self.json_of("analyze", "out/final.xyz"))
+        self.refuse(["analyze", "out/final.xyz", "--what", "temperature_profile"], 1, "the plane is open")
+
     def test_what_needs_collisions_is_refused_in_one_line(self):
         self.save()
         for name in ("pressure", "rate", "pressure_tensor", "wall_pressure"):

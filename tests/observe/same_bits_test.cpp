@@ -27,7 +27,7 @@ class SameBits : public testing::TestWithParam<Scene> {};
 TEST_P(SameBits, ForAnySolverPatchesAndThreads) {
   const std::vector<ObserveSpec> specs = everything_for(realize(GetParam()));
   EXPECT_GE(specs.size(), 5U);
-  test::Watch watch{.from = 0.7, .collisions = 6000};
+  test::Watch watch{.from = 0.7, .collisions = 3500};
   const auto expected = all_numbers(*test::observe(GetParam(), specs, watch));
   EXPECT_GT(expected.size(), 200U);
   watch.solver.kind = SolverKind::reference;

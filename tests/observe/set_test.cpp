@@ -67,7 +67,7 @@ TEST(Set, RestingAndSingleDisksAreObserved) {
     Simulation simulation(realize(scene));
     ObservableSet set = set_of(simulation, test::everything_for({simulation.system(), simulation.frame()}));
     simulation.add_observer(set);
-    for (int k = 0; k < 12; ++k) simulation.run_window();
+    for (int k = 0; k < 8; ++k) simulation.run_window();
     EXPECT_FALSE(set.results().empty());
   }
 }

@@ -15,7 +15,8 @@ std::vector<std::string> observables_of_frames();
 /// What the observables find in the frames of an extended XYZ file, or of DIR/trajectory.xyz if `path` is the directory
 /// of a run. All frames must have the same disks and box; times must grow. Windings are found from frame to frame by
 /// the nearest image, which is right as long as no disk moves farther than half a box in between: where that may fail,
-/// each measurement has a warning. Throws Error if a frame cannot be read or an observable cannot be had from frames.
+/// `msd` has a warning. Without specifications: all that these frames have. Throws Error if a frame cannot be read or
+/// an observable cannot be had from frames.
 std::vector<Measurement> analyze(const std::string& path, const std::vector<ObserveSpec>& specs);
 
 }  // namespace carom
