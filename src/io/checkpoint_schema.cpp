@@ -270,3 +270,5 @@ Checkpoint read_checkpoint_image(std::string_view image, const std::string& name
 }
 
 }  // namespace carom::io
+
+bool carom::has_checkpoints() noexcept { return true; }
