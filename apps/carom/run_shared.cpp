@@ -31,6 +31,8 @@ void check_saving(const SavingOptions& options, bool saves) {
   require_time("--checkpoint-every", options.checkpoint_every, false);
   require_time("--checkpoint-minutes", options.checkpoint_minutes, false);
   require_time("--max-minutes", options.max_minutes, false);
+  const bool asked = options.checkpoint_every || options.checkpoint_minutes;
+  if (asked && !has_checkpoints()) throw Error("this carom was built without HDF5, which checkpoints need");
   if (saves) return;
   if (options.checkpoint_every) throw UsageError("--checkpoint-every goes with --out DIR");
   if (options.checkpoint_minutes) throw UsageError("--checkpoint-minutes goes with --out DIR");
@@ -58,7 +60,7 @@ RunEnd with_progress(RunPlan& plan, bool quiet, const std::function<RunEnd()>& w
 int conclude(const RunEnd& end, bool json, const std::string& out) {
   print(json ? report_json(end.record) : report_text(end.record));
   const Summary& summary = end.record.summary;
-  const std::string where = out.empty() ? "" : fmt::format("; carom resume {} goes on", out);
+  const std::string where = out.empty() || !has_checkpoints() ? "" : fmt::format("; carom resume {} goes on", out);
   if (end.exhausted) {
     tell(fmt::format("no two disks meet any more: the run ended at {} collisions", summary.collisions));
   }

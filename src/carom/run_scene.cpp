@@ -112,7 +112,7 @@ class SceneRun {
     if (log_) simulation_.add_observer(*log_);
     observed_.watch(simulation_);
     collisions_before_ = simulation_.books().collisions;
-    if (!plan_.directory) return;
+    if (!plan_.directory || !has_checkpoints()) return;
     keeper_.emplace(*plan_.directory, plan_.checkpoint_every, plan_.checkpoint_minutes, simulation_.time());
   }
 

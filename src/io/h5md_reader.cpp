@@ -10,6 +10,7 @@
 #include "h5md.hpp"
 #include "hdf5/group.hpp"
 #include "hdf5/image.hpp"
+#include "hdf5/trial.hpp"
 
 namespace carom::io {
 namespace {
@@ -207,19 +208,46 @@ class H5mdReader final : public TrajectoryReader {
   hsize_t next_ = 0;
 };
 
+std::unique_ptr<TrajectoryReader> open_untried(const std::string& path, double bytes) {
+  prepare_hdf5();
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  return std::make_unique<H5mdReader>(opened(id, H5Fclose, path, "is not a sound HDF5 file"), path, bytes);
+}
+
+std::unique_ptr<TrajectoryReader> open_untried(std::string_view image, const std::string& name) {
+  return std::make_unique<H5mdReader>(open_image(image, name), name, static_cast<double>(image.size()));
+}
+
+/// Large files are tried in part: all times and the first frame.
+void try_frames(TrajectoryReader& reader, double bytes) {
+  constexpr double kReadInFull = 64e6;
+  static_cast<void>(reader.next());
+  while (bytes < kReadInFull && reader.next()) {
+  }
+  while (reader.skip()) {
+  }
+}
+
+double patience(double bytes) noexcept {
+  constexpr double kBytesPerSecond = 1e6;
+  constexpr double kLeastSeconds = 10;
+  return kLeastSeconds + bytes / kBytesPerSecond;
+}
+
 }  // namespace
 
 std::unique_ptr<TrajectoryReader> open_h5md(const std::string& path) {
-  prepare_hdf5();
   struct stat about {};
   if (::stat(path.c_str(), &about) != 0) throw Error("cannot be read", {path});
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  return std::make_unique<H5mdReader>(opened(id, H5Fclose, path, "is not a sound HDF5 file"), path,
-                                      static_cast<double>(about.st_size));
+  const auto bytes = static_cast<double>(about.st_size);
+  try_in_child([&] { try_frames(*open_untried(path, bytes), bytes); }, path, patience(bytes));
+  return open_untried(path, bytes);
 }
 
-std::unique_ptr<TrajectoryReader> open_h5md_image(std::string_view bytes, const std::string& name) {
-  return std::make_unique<H5mdReader>(open_image(bytes, name), name, static_cast<double>(bytes.size()));
+std::unique_ptr<TrajectoryReader> open_h5md_image(std::string_view image, const std::string& name) {
+  const auto bytes = static_cast<double>(image.size());
+  try_in_child([&] { try_frames(*open_untried(image, name), bytes); }, name, patience(bytes));
+  return open_untried(image, name);
 }
 
 }  // namespace carom::io

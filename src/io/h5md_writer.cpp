@@ -248,6 +248,7 @@ std::unique_ptr<TrajectoryWriter> create_h5md(const std::string& path, const Sys
 
 std::unique_ptr<TrajectoryWriter> continue_h5md(const std::string& path, const System& system,
                                                 const TrajectoryLength& kept) {
+  static_cast<void>(open_h5md(path));  // refuses what HDF5 would crash on
   return std::make_unique<H5mdWriter>(path, system, kept);
 }
 

@@ -134,7 +134,7 @@ std::string OutputDirectory::name_within(const std::string& path) const {
   std::error_code error;
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
   const bool within = fs::equivalent(folder, path_, error) && !error;
-  return within ? fs::path(path).filename().string() : path;
+  return within ? fs::path(path).filename().string() : fs::absolute(path).string();
 }
 
 }  // namespace carom

@@ -170,6 +170,8 @@ ReadScene read_toml(std::string_view text, const std::string& name) {
     const toml::source_position& at = error.source().begin;
     return failed({name, static_cast<int>(at.line), static_cast<int>(at.column)},
                   "not valid TOML: " + std::string(error.description()));
+  } catch (const BrokenToml&) {
+    return failed({name}, "not valid TOML");
   }
 }
 

@@ -14,7 +14,19 @@
 #ifdef __cpp_lib_to_chars
 #define TOML_FLOAT_CHARCONV 1  // exact and without a stream for every number; toml++ avoids it for old compilers
 #endif
+
+namespace carom::io {
+/// Thrown where toml++ would stop the program.
+struct BrokenToml {};
+[[noreturn]] inline void refuse_broken_toml() { throw BrokenToml(); }
+}  // namespace carom::io
+
+// Malformed text can break assertions of toml++ 3.3, which a build without assertions would pass over: both are wrong.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(condition) ((condition) ? static_cast<void>(0) : carom::io::refuse_broken_toml())
 #include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 #include "carom/base/vec2.hpp"
 #include "problem_list.hpp"

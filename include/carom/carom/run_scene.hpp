@@ -25,7 +25,8 @@ struct RunPlan {
   std::optional<OutputDirectory> directory;    ///< for scene.toml, final.xyz, report.json, trajectory and checkpoints
   std::optional<std::string> collisions_file;  ///< a CSV file for the collision log
   std::optional<double> checkpoint_every;      ///< simulated time between two checkpoints
-  double checkpoint_minutes = 10;              ///< and time by the clock; there is always one at start and end
+  double checkpoint_minutes = 10;              ///< and time by the clock; there is always one at start and end (in
+                                               ///< builds without HDF5 there are none)
   std::optional<double> max_minutes;           ///< the run ends at the first stop after this time by the clock
   std::string title;                           ///< of the scene
   std::string command;                         ///< as typed; goes into the report

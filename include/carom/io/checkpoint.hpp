@@ -16,7 +16,7 @@ namespace carom {
 struct WrittenFiles {
   std::uint64_t frames = 0;            ///< of the trajectory
   std::uint64_t trajectory_bytes = 0;  ///< of an extended XYZ trajectory
-  /// The collision log: a name without folders if it is in the run's own directory, else as it was given; absent
+  /// The collision log: a name without folders if it is in the run's own directory, else its absolute path; absent
   /// without a log.
   std::optional<std::string> log = {};
   std::uint64_t log_bytes = 0;
@@ -34,6 +34,9 @@ struct Checkpoint {
   /// The frame at time 0 if there are observables: what they measure by default depends on it. Without windings.
   std::optional<Frame> start = {};
 };
+
+/// Whether this build can write and read checkpoints: it was made with HDF5.
+bool has_checkpoints() noexcept;
 
 /// Whether a file begins as a checkpoint does. One that cannot be read does not.
 bool is_checkpoint(std::string_view bytes) noexcept;

@@ -40,7 +40,7 @@ class OutputDirectory {
   }
   [[nodiscard]] std::string observables() const { return in("observables"); }  ///< a directory of its own
   [[nodiscard]] std::string in(std::string_view name) const;
-  /// The name of a file that lies in this directory, else the path as it was given.
+  /// The name without folders of a file that lies in this directory, the absolute path of another.
   [[nodiscard]] std::string name_within(const std::string& path) const;
 
  private:

@@ -34,13 +34,13 @@ TEST_P(Corpus, IsReadOrRefused) {
 TEST_P(Corpus, CutShortIsReadOrRefused) {
   for (const std::string& file : corpus_of(GetParam().name)) {
     const std::string bytes = read_file(file);
-    const std::size_t step = std::max<std::size_t>(1, bytes.size() / 40);
+    const std::size_t step = std::max<std::size_t>(1, bytes.size() / 16);
     for (std::size_t size = 0; size < bytes.size(); size += step) GetParam().read(bytes.substr(0, size));
   }
 }
 
 TEST_P(Corpus, WithABitTurnedIsReadOrRefused) {
-  constexpr int kTurns = 40;
+  constexpr int kTurns = 16;
   RandomStream random(7, 0, 1);
   for (const std::string& file : corpus_of(GetParam().name)) {
     const std::string bytes = read_file(file);
