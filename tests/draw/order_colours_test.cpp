@@ -67,13 +67,13 @@ TEST(OrderColours, TellHowACrystalIsTurned) {
 TEST(OrderColours, EqualCellsHaveOneDensity) { commonest_fill(svg_by(ColourBy::density, crystal(false))); }
 
 TEST(SharedScale, GivesPicturesOneSizeAndOneMeaning) {
-  Setup first;
+  carom::Setup first;  // a test has a Setup of its own
   first.system.box = {{}, {Boundary::open, Boundary::open}};
   first.system.add_disk({0.5, 1});
   first.system.add_disk({0.5, 1});
   first.frame.add_disk({0, 0}, {1, 0});
   first.frame.add_disk({3, 1}, {0, 0.5});
-  Setup second = first;
+  carom::Setup second = first;
   second.frame.time = 1234.5678;
   second.frame.x = {40, -7};
   second.frame.vx = {5, 0};
@@ -87,7 +87,7 @@ TEST(SharedScale, GivesPicturesOneSizeAndOneMeaning) {
   EXPECT_EQ(scale.low.x, -7.5);
   EXPECT_EQ(scale.high.x, 40.5);
   picture.shared = scale;
-  const auto size = [&](const Setup& setup) {
+  const auto size = [&](const carom::Setup& setup) {
     return test::size_of_png(picture_of_state(setup.system, setup.frame, picture, PictureFormat::png));
   };
   EXPECT_EQ(size(first).width, size(second).width);
