@@ -159,7 +159,9 @@ std::vector<Spec*> chosen(std::vector<Spec>& specs, const KeyWords& words, const
 
 [[noreturn]] void refuse(const std::string& key) {
   std::vector<std::string> known;
-  for (const auto& [name, set] : kFileKeys) known.push_back(name);
+  for (const auto& [name, set] : kFileKeys) {
+    if (name.find('.') == std::string::npos) known.push_back(name);
+  }
   for (const auto& [name, full] : kShortKeys) known.push_back(name);
   std::sort(known.begin(), known.end());
   throw Error(

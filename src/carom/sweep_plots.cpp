@@ -65,14 +65,16 @@ class SweepPlots {
     if (means_.empty() || varied_.empty()) return {};
     std::vector<NamedPlot> plots;
     const bool packing = varies_packing(varied_.front().key);
-    if (has("Z")) {
-      plots.push_back(plot_of(packing ? "equation_of_state" : "Z", "Z", "compressibility factor Z = \u03b2P/\u03c1"));
-      if (packing && plain_) add_equation_of_state(plots.back().plot);
+    // The one that was observed has an error of its own, where each point was run once.
+    const std::string z = everywhere("pressure.Z") ? "pressure.Z" : "Z";
+    if (has(z)) {
+      plots.push_back(plot_of(packing ? "equation_of_state" : "Z", z, "compressibility factor Z = \u03b2P/\u03c1"));
       plots.back().plot.title = packing ? "Equation of state" : "Compressibility factor";
+      if (packing && plain_) add_equation_of_state(plots.back().plot);
     }
     for (const SweepMean::Quantity& quantity : means_.front().quantities) {
       const bool observed = quantity.name.find('.') != std::string::npos;
-      if (observed && has(quantity.name)) plots.push_back(plot_of(quantity.name, quantity.name, quantity.name));
+      if (observed && has(quantity.name)) plots.push_back(plot_with_theory(quantity));
     }
     return plots;
   }
@@ -80,6 +82,11 @@ class SweepPlots {
  private:
   [[nodiscard]] bool has(const std::string& name) const {
     return std::any_of(means_.begin(), means_.end(),
+                       [&](const SweepMean& mean) { return std::isfinite(value_of(mean, name)); });
+  }
+
+  [[nodiscard]] bool everywhere(const std::string& name) const {
+    return std::all_of(means_.begin(), means_.end(),
                        [&](const SweepMean& mean) { return std::isfinite(value_of(mean, name)); });
   }
 
@@ -97,6 +104,23 @@ class SweepPlots {
     panel.y.label = label;
     for (const SweepMean& mean : means_) add_point(mean, column, panel);
     named.plot.panels.push_back(std::move(panel));
+    return named;
+  }
+
+  [[nodiscard]] NamedPlot plot_with_theory(const SweepMean::Quantity& quantity) const {
+    std::string label = quantity.name.substr(quantity.name.find('.') + 1);
+    std::replace(label.begin(), label.end(), '_', ' ');
+    if (!quantity.unit.empty()) label += " (" + quantity.unit + ')';
+    NamedPlot named = plot_of(quantity.name, quantity.name, label);
+    if (varied_.size() > 1) return named;  // a curve for each point of the others would hide what was measured
+    Series theory{Series::Style::theory, "theory", {}, {}, {}};
+    for (const SweepMean& mean : means_) {
+      const SweepMean::Quantity* const found = find(mean, quantity.name);
+      if (found == nullptr || !found->theory) continue;
+      theory.x.push_back(abscissa(mean));
+      theory.y.push_back(*found->theory);
+    }
+    if (!theory.x.empty()) named.plot.panels.front().series.push_back(std::move(theory));
     return named;
   }
 

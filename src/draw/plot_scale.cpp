@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kLeastRelativeSpan = 1e-7;  // of the larger end: below that, labels could not be told apart
 constexpr double kLargest = 1e290;           // what lies beyond is not shown: spans stay finite
+constexpr double kShortRange = 0.7;          // decades
 constexpr double kSmallestPositive = 1e-290;
 
 // A step of 1, 2 or 5 times a power of ten, with at most `most` steps in `span`.
@@ -92,7 +93,9 @@ void AxisScale::add_linear_ticks(int most_labels) {
 
 void AxisScale::add_logarithmic_ticks(int most_labels) {
   const double first = std::ceil(low_ - 1e-9), last = std::floor(high_ + 1e-9);
-  if (last - first < 1) return add_round_ticks_of_short_range(most_labels);
+  if (last - first < 1) {
+    return high_ - low_ < kShortRange ? add_round_ticks_of_short_range(most_labels) : add_digits_of_few_decades();
+  }
   const double every = std::ceil((last - first + 1) / most_labels);
   for (double power = first - 1; power <= last; ++power) {
     const bool labelled = std::fmod(std::abs(power), every) == 0;
@@ -107,7 +110,19 @@ void AxisScale::add_logarithmic_ticks(int most_labels) {
   }
 }
 
-// Less than a decade between two powers of ten: round numbers, as on a linear axis, at their logarithms.
+// One power of ten or none in sight: 1, 2 and 5 times a power have labels, too.
+void AxisScale::add_digits_of_few_decades() {
+  for (double power = std::floor(low_); power <= high_; ++power) {
+    for (int digit = 1; digit <= 9; ++digit) {
+      const double place = (power + std::log10(digit) - low_) / (high_ - low_);
+      if (!(place >= 0 && place <= 1)) continue;
+      const bool labelled = digit == 1 || digit == 2 || digit == 5;
+      ticks_.push_back({place, labelled, labelled ? RichText{}.number(digit * std::pow(10, power)) : RichText{}});
+    }
+  }
+}
+
+// Less than a decade: round numbers, as on a linear axis, at their logarithms.
 void AxisScale::add_round_ticks_of_short_range(int most_labels) {
   const double low = std::pow(10, low_), high = std::pow(10, high_);
   const double step = round_step(high - low, most_labels);

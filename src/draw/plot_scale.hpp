@@ -43,6 +43,7 @@ class AxisScale {
  private:
   void add_linear_ticks(int most_labels);
   void add_logarithmic_ticks(int most_labels);
+  void add_digits_of_few_decades();
   void add_round_ticks_of_short_range(int most_labels);
 
   bool logarithmic_;

@@ -67,9 +67,16 @@ double largest_size(const Column& column) {
   return largest;
 }
 
-// Whether two columns are fit for one axis: the same unit, and neither would look like a line at 0 beside the other.
-bool comparable(const Column& a, const Column& b) {
-  constexpr double kMostUnlike = 10;
+bool has_companion(const Table& table, const Column& column) {
+  return column_named(table, column.name + std::string(kError)) != nullptr ||
+         column_named(table, column.name + std::string(kTheory)) != nullptr;
+}
+
+// Whether two columns are fit for one axis: the same unit, neither would look like a line at 0 beside the other, and
+// not a measured one beside one that only says how it was measured, such as a count.
+bool comparable(const Table& table, const Column& a, const Column& b) {
+  constexpr double kMostUnlike = 4;
+  if (has_companion(table, a) != has_companion(table, b)) return false;
   const double size_a = largest_size(a), size_b = largest_size(b);
   const bool alike = size_a == 0 || size_b == 0 || std::max(size_a, size_b) <= kMostUnlike * std::min(size_a, size_b);
   return a.unit == b.unit && alike;
@@ -107,7 +114,7 @@ Plot plot_of_table(const Table& table) {
       const Column& column = table.columns[k];
       if (goes_with_another(table, column)) continue;
       const auto group = std::find_if(groups.begin(), groups.end(), [&](const std::vector<const Column*>& some) {
-        return comparable(*some.front(), column);
+        return comparable(table, *some.front(), column);
       });
       if (group == groups.end()) {
         groups.push_back({&column});

@@ -12,7 +12,8 @@
 namespace carom::draw {
 namespace {
 
-constexpr std::array<Colour, 7> kSpeciesColours{kSkyBlue, kOrange, kGreen, kVermilion, kBlue, kYellow, kPurple};
+// In an order in which neighbours differ in lightness: kinds are told apart in print without colours, too.
+constexpr std::array<Colour, 7> kSpeciesColours{kSkyBlue, kVermilion, kBlue, kYellow, kGreen, kPurple, kOrange};
 constexpr std::uint32_t kShades = 64;
 
 void set_shades(std::string quantity, double low, double high, StateColours& colours) {

@@ -15,6 +15,8 @@ struct Quantity {
   std::string name;
   std::optional<double> value;
   std::optional<double> error;
+  std::string unit = {};
+  std::optional<double> theory = {};
 };
 
 std::optional<double> finite(const std::optional<double>& value) {
@@ -41,7 +43,8 @@ std::vector<Quantity> observed(const SweepRow& row) {
   std::vector<Quantity> quantities;
   for (const Measurement& measurement : row.measurements) {
     for (const Estimate& estimate : measurement.estimates) {
-      quantities.push_back({measurement.name + '.' + estimate.name, finite(estimate.value), finite(estimate.error)});
+      quantities.push_back({measurement.name + '.' + estimate.name, finite(estimate.value), finite(estimate.error),
+                            estimate.unit, finite(estimate.theory)});
     }
   }
   return quantities;
@@ -127,10 +130,13 @@ double standard_error(const std::vector<double>& values, double mean) {
 
 SweepMean::Quantity averaged(const std::string& name, const std::vector<Quantity>& samples) {
   SweepMean::Quantity result{name, {}, {}};
-  std::vector<double> values;
+  std::vector<double> values, theories;
   for (const Quantity& sample : samples) {
     if (sample.value) values.push_back(*sample.value);
+    if (sample.theory) theories.push_back(*sample.theory);
+    if (!sample.unit.empty()) result.unit = sample.unit;
   }
+  if (!theories.empty() && theories.size() == samples.size()) result.theory = mean_of(theories);
   if (values.empty()) return result;
   result.mean = mean_of(values);
   if (values.size() > 1) result.error = standard_error(values, *result.mean);
@@ -145,7 +151,8 @@ SweepMean mean_of_point(const std::vector<SweepRow>& rows, std::size_t begin, st
   std::vector<std::vector<Quantity>> samples;
   for (std::size_t k = begin; k < end; ++k) {
     samples.push_back(reported(rows[k]));
-    std::ranges::move(observed(rows[k]), std::back_inserter(samples.back()));
+    const std::vector<Quantity> estimates = observed(rows[k]);
+    samples.back().insert(samples.back().end(), estimates.begin(), estimates.end());
   }
   for (const std::string& name : names) {
     std::vector<Quantity> same;
@@ -165,7 +172,8 @@ std::vector<SweepMean> means_of(const std::vector<SweepRow>& rows) {
   if (rows.empty()) return means;
   std::vector<std::string> names;
   for (const Quantity& quantity : reported(rows.front())) names.push_back(quantity.name);
-  std::ranges::move(names_observed(rows), std::back_inserter(names));
+  const std::vector<std::string> estimates = names_observed(rows);
+  names.insert(names.end(), estimates.begin(), estimates.end());
   for (std::size_t begin = 0; begin < rows.size();) {
     std::size_t end = begin;
     while (end < rows.size() && rows[end].job.values == rows[begin].job.values) ++end;

@@ -50,6 +50,8 @@ struct SweepMean {
     std::string name;
     std::optional<double> mean;
     std::optional<double> error;  ///< standard error from the scatter of replicas; of a single one its own, if known
+    std::string unit = {};
+    std::optional<double> theory = {};  ///< mean of what it should be, where that is known for every replica
   };
   std::vector<double> values;  ///< of the varied keys
   std::uint64_t replicas = 0;  ///< that are finished

@@ -1,0 +1,217 @@
+"""`carom sweep` makes a run of its own for every point and replica, with a seed of its own; its tables are the same
+bytes for any number of threads and wherever it was interrupted; it refuses what it cannot do before it begins."""
+
+import csv
+import json
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+from program import CAROM, ProgramTest, main
+
+GAS = """
+[box]
+boundary = "periodic"
+
+[[gas]]
+count = 40
+packing_fraction = 0.3
+"""
+
+TABLES = ("sweep.csv", "sweep_mean.csv")
+
+
+class SweepTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("gas.toml", GAS)
+
+    def sweep(self, out, *words, vary=("packing=0.2:0.4:0.1",), collisions=300, **options):
+        varied = [word for key in vary for word in ("--vary", key)]
+        return self.succeed("sweep", "gas.toml", *varied, "--collisions", collisions, "--out", out, *words, **options)
+
+    def rows(self, name):
+        return list(csv.DictReader(self.read(name).splitlines()))
+
+    def tables(self, out):
+        return [self.read(f"{out}/{name}") for name in TABLES]
+
+
+class Jobs(SweepTest):
+    def test_each_is_a_run_of_its_own(self):
+        self.sweep("o", "--replicas", 2)
+        rows = self.rows("o/sweep.csv")
+        self.assertEqual([row["packing"] for row in rows], ["0.2", "0.2", "0.3", "0.3", "0.4", "0.4"])
+        self.assertEqual([row["replica"] for row in rows], ["1", "2"] * 3)
+        self.assertEqual(len({row["seed"] for row in rows}), 6)
+        self.assertEqual(len({row["digest"] for row in rows}), 6)
+        for row in rows:
+            directory = f"o/runs/packing={row['packing']},replica={row['replica']}"
+            report = json.loads(self.read(f"{directory}/report.json"))
+            self.assertEqual(row["digest"], report["digest"])
+            for key in ("disks", "packing_fraction", "time", "collisions", "temperature", "pressure"):
+                self.assertEqual(float(row[key]), report[key], key)
+            self.assertAlmostEqual(report["packing_fraction"], float(row["packing"]), delta=1e-12)
+            # The scene that was kept runs to the same end.
+            self.assertEqual(self.json_of("run", f"{directory}/scene.toml")["digest"], row["digest"])
+            density = float(row["packing_fraction"]) / (3.141592653589793 * 0.25)
+            self.assertAlmostEqual(float(row["Z"]), float(row["pressure"]) / density, delta=1e-9)
+
+    def test_means_and_standard_errors(self):
+        self.sweep("o", "--replicas", 3)
+        rows = self.rows("o/sweep.csv")
+        for mean in self.rows("o/sweep_mean.csv"):
+            values = [float(row["pressure"]) for row in rows if row["packing"] == mean["packing"]]
+            self.assertEqual((len(values), mean["replicas"]), (3, "3"))
+            average = sum(values) / 3
+            error = (sum((value - average)**2 for value in values) / 2 / 3)**0.5
+            self.assertAlmostEqual(float(mean["pressure"]), average, delta=1e-12)
+            self.assertAlmostEqual(float(mean["pressure_error"]), error, delta=1e-12)
+
+    def test_a_grid(self):
+        self.sweep("o", vary=("packing=0.2,0.3", "restitution=0.9,1"), collisions=50)
+        points = [(row["packing"], row["restitution"]) for row in self.rows("o/sweep.csv")]
+        self.assertEqual(points, [("0.2", "0.9"), ("0.2", "1"), ("0.3", "0.9"), ("0.3", "1")])
+
+    def test_keys(self):
+        expected = {
+            "temperature=2,3": lambda row: float(row["gas.temperature"]) - float(row["temperature"]),
+            "disks=30:50:10": lambda row: float(row["gas.count"]) - float(row["disks"]),
+            "seed=5,6": lambda row: float(row["gas.seed"]) - float(row["seed"]),
+            "gas.packing_fraction=0.2,0.25": lambda row: float(row["gas.packing_fraction"]) - float(row["packing_fraction"]),
+        }
+        for number, (vary, difference) in enumerate(expected.items()):
+            with self.subTest(vary=vary):
+                self.sweep(f"o{number}", vary=(vary,), collisions=20)
+                for row in self.rows(f"o{number}/sweep.csv"):
+                    self.assertAlmostEqual(difference(row), 0, delta=1e-9)
+        for number, vary in enumerate(("aspect=0.5,2", "radius=0.5,1", "mass=2,3", "wall_restitution=0.5,1",
+                                       "physics.t_c=0,0.1", "run.equilibrate=0,0.1", "gas.1.mass=1,2")):
+            with self.subTest(vary=vary):
+                self.sweep(f"p{number}", vary=(vary,), collisions=20)
+                self.assertEqual(len(self.rows(f"p{number}/sweep.csv")), 2)
+
+    def test_ranges_hold_round_numbers_and_their_end(self):
+        for text, values in (("0.1:0.4:0.1", "0.1 0.2 0.3 0.4"), ("0.4:0.1:-0.15", "0.4 0.25 0.1"),
+                             ("0.1:0.39:0.1", "0.1 0.2 0.3"), ("0.3:0.3:1", "0.3"), ("0.2,0.1", "0.2 0.1")):
+            out = "o" + text.replace(":", "_")
+            self.sweep(out, vary=(f"packing={text}",), collisions=1)
+            self.assertEqual([row["packing"] for row in self.rows(f"{out}/sweep.csv")], values.split())
+
+    def test_observables_have_columns(self):
+        self.sweep("o", "--observe", "pressure", "--replicas", 2)
+        row = self.rows("o/sweep.csv")[0]
+        names = [name for name in row if name.startswith("pressure.")]
+        self.assertGreaterEqual(len(names), 2)
+        for name in names:
+            self.assertTrue(name.endswith("_error") or f"{name}_error" in names, name)
+        index = json.loads(self.read("o/runs/packing=0.2,replica=1/observables/index.json"))
+        for estimate in index["observables"][0]["estimates"]:
+            self.assertEqual(float(row["pressure." + estimate["name"]]), estimate["value"])
+
+    def test_summary(self):
+        summary = self.json_of("sweep", "gas.toml", "--vary", "packing=0.2,0.3", "--collisions", 20, "--out", "o")
+        self.assertEqual((summary["jobs"], summary["finished"], summary["kept"]), (2, 2, 0))
+        for plot in summary["plots"]:
+            self.assertTrue(self.path(plot).exists())
+        self.assertIn("o/plots/equation_of_state.svg", summary["plots"])
+
+
+class SameBytes(SweepTest):
+    def test_for_any_number_of_threads(self):
+        self.sweep("one", "--replicas", 2, "--observe", "rate")
+        self.sweep("three", "--replicas", 2, "--observe", "rate", "--threads", 3)
+        self.assertEqual(self.tables("one"), self.tables("three"))
+
+    def test_finished_jobs_are_kept_and_others_made_again(self):
+        self.sweep("o", "--replicas", 2)
+        tables = self.tables("o")
+        runs = sorted(self.path("o/runs").iterdir())
+        for name in TABLES:
+            self.path(f"o/{name}").unlink()
+        (runs[0] / "job.json").unlink()
+        (runs[1] / "report.json").unlink()
+        (runs[2] / "report.json").write_text((runs[2] / "report.json").read_text()[:100])
+        (runs[3] / "job.json").write_text("{}")
+        shutil.rmtree(runs[4])
+        kept = (runs[5] / "report.json").stat().st_mtime_ns
+        again = json.loads(self.sweep("o", "--replicas", 2, "--threads", 2, "--json").stdout)
+        self.assertEqual((again["finished"], again["kept"]), (6, 1))
+        self.assertEqual(self.tables("o"), tables)
+        self.assertEqual((runs[5] / "report.json").stat().st_mtime_ns, kept)
+
+    def test_after_an_interrupt(self):
+        self.sweep("whole", "--threads", 2, "--replicas", 2, collisions=30000)
+        words = ["sweep", "gas.toml", "--vary", "packing=0.2:0.4:0.1", "--replicas", "2", "--collisions", "30000",
+                 "--out", "o", "--threads", "2"]
+        child = subprocess.Popen([CAROM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                 cwd=self.directory)
+        deadline = time.monotonic() + 60
+        while not list(self.directory.glob("o/runs/*/scene.toml")):
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.002)
+        child.send_signal(signal.SIGINT)
+        _, errors = child.communicate(timeout=60)
+        self.assertEqual(child.returncode, 130, errors)
+        self.assertIn("carom: interrupted", errors)
+        self.assertLess(len(self.rows("o/sweep.csv")), 6)
+        # What was interrupted does not look finished.
+        for run in self.path("o/runs").iterdir():
+            self.assertEqual((run / "job.json").exists(), (run / "report.json").exists())
+        self.succeed(*words)
+        self.assertEqual(self.tables("o"), self.tables("whole"))
+
+
+class WrongInput(SweepTest):
+    def test_variations(self):
+        for vary, part in (("packing", "KEY=FROM:TO:STEP"), ("packing=", "KEY="), ("=1:2:1", "KEY="),
+                           ("packing=0.1:0.2", "FROM:TO:STEP"), ("packing=0.1:0.2:0.1:3", "FROM:TO:STEP"),
+                           ("packing=0.1:0.2:0", "step is 0"), ("packing=0.1:0.2:-0.1", "do not lead"),
+                           ("packing=0.1:nan:0.1", "not a finite number"), ("packing=0.1:inf:0.1", "not a finite number"),
+                           ("packing=a:b:c", "not a finite number"), ("packing=0.2,0.2", "twice"),
+                           ("packing=0:1:1e-9", "more than"), ("paking=0.1,0.2", "'paking'"),
+                           ("gas.2.mass=1,2", "numbered from 1 to 1"), ("disks=10.5,11", "whole number"),
+                           ("mass_ratio=1,2", "fewer than 2"), ("disk.mass=1,2", "no [[disk]]"),
+                           ("observe.rdf.bins=1,2", "'rdf'"), ("../x=1,2", "'../x'")):
+            with self.subTest(vary=vary):
+                self.refuse(["sweep", "gas.toml", "--vary", vary, "--collisions", 10, "--out", "o"], 2, part)
+                self.assertFalse(self.path("o").exists())
+
+    def test_options(self):
+        words = ["sweep", "gas.toml", "--vary", "packing=0.2,0.3", "--out", "o"]
+        self.refuse(words, 2, "--until", "--collisions")
+        for more, part in ((["--replicas", 0], "--replicas"), (["--threads", 0], "--threads"),
+                           (["--observe", "nonsense"], "nonsense"), (["--until", -1], "--until")):
+            self.refuse([*words, "--collisions", 10, *more], 2, part)
+        self.refuse(["sweep", "gas.toml", "--out", "o", "--collisions", 10], 2, "--vary")
+        self.refuse(["sweep", "gas.toml", "--vary", "packing=0.2,0.3", "--collisions", 10], 2, "--out")
+        self.refuse([*words, "--vary", "packing=0.1,0.2", "--collisions", 10], 2, "twice")
+        self.refuse(["sweep", "gas.toml", "--vary", "seed=1,2", "--replicas", 2, "--collisions", 10, "--out", "o"], 2,
+                    "seeds are varied")
+        self.assertFalse(self.path("o").exists())
+
+    def test_scenes_that_cannot_be_simulated(self):
+        for vary, part in (("packing=0.5,0.95", "packing=0.95"), ("restitution=0.5,1.5", "restitution=1.5")):
+            self.refuse(["sweep", "gas.toml", "--vary", vary, "--collisions", 10, "--out", "o"], 1, part)
+            self.assertFalse(self.path("o").exists())
+
+    def test_replicas_of_a_scene_without_chance(self):
+        self.write("disks.toml", "[[disk]]\nposition = [1.0, 1.0]\n[box]\nsize = [4.0, 4.0]\n[run]\nuntil = 1.0\n")
+        self.refuse(["sweep", "disks.toml", "--vary", "disk.mass=1,2", "--replicas", 2, "--out", "o"], 2, "no [[gas]]")
+        self.succeed("sweep", "disks.toml", "--vary", "disk.mass=1,2", "--out", "o")
+
+    def test_other_settings_in_the_same_directory(self):
+        self.sweep("o", collisions=20)
+        tables = self.tables("o")
+        for more in (["--collisions", 21], ["--collisions", 20, "--replicas", 2], ["--collisions", 20, "--seed", 9]):
+            self.refuse(["sweep", "gas.toml", "--vary", "packing=0.2:0.4:0.1", "--out", "o", *more], 1, "o", "other settings")
+        self.refuse(["sweep", "gas.toml", "--vary", "packing=0.2,0.3", "--collisions", 20, "--out", "o"], 1, "varied")
+        self.assertEqual(self.tables("o"), tables)
+        self.succeed("run", "gas.toml", "--collisions", 5, "--out", "run")
+        self.refuse(["sweep", "gas.toml", "--vary", "packing=0.2,0.3", "--collisions", 20, "--out", "run"], 1, "a run")
+
+
+if __name__ == "__main__":
+    main()
