@@ -16,9 +16,10 @@ interface Props {
   change: (value: number) => boolean | void;
 }
 
-/** Five digits; all of them are in the cell's title. */
+/** Four decimals, or two digits of what is smaller; all digits are in the cell's title. */
 function written(value: number): string {
-  const text = String(Number(value.toPrecision(5)) + 0);
+  const tiny = value !== 0 && Math.abs(value) < 1e-3;
+  const text = String(tiny ? Number(value.toPrecision(2)) : Math.round(value * 1e4) / 1e4 + 0);
   return (language.value === 'de' ? text.replace('.', ',') : text).replace('-', '−');
 }
 
