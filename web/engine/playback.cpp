@@ -8,6 +8,7 @@
 
 #include "carom/base/error.hpp"
 #include "carom/rule/collision.hpp"
+#include "carom/run/exhaustion.hpp"
 #include "carom/run/simulation.hpp"
 #include "carom/run/window_length.hpp"
 
@@ -38,9 +39,15 @@ void Playback::know_until(double time) {
 }
 
 void Playback::know_more_than(std::size_t count, double horizon) {
-  while (contacts_.size() <= count && known_until() < horizon && contacts_.size() < kMostContacts) {
+  while (contacts_.size() <= count && known_until() < horizon && contacts_.size() < kMostContacts && !is_over()) {
     advance_one_window();
   }
+}
+
+// Certain that neither disks nor walls will be met from the last window known on.
+bool Playback::is_over() const noexcept {
+  const Frame& disks = starts_.back().disks;
+  return collisions_are_over(system_, disks) && (!system_.box.has_walls() || kinetic_energy(system_, disks) == 0);
 }
 
 void Playback::advance_one_window() {

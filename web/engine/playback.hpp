@@ -37,7 +37,7 @@ class Playback {
 
   /// Finds all contacts up to `time`, and more. Stops at kMostContacts.
   void know_until(double time);
-  /// Finds contacts until there are more than `count`, or none comes before `horizon`.
+  /// Finds contacts until there are more than `count`, or none can come any more, or none comes before `horizon`.
   void know_more_than(std::size_t count, double horizon);
 
   /// All disks at `time`; contacts at exactly this time have happened if `included`.
@@ -53,6 +53,7 @@ class Playback {
   Frame read(std::size_t window, double offset);
   [[nodiscard]] std::size_t window_of(double time) const noexcept;
   [[nodiscard]] double known_until() const noexcept { return starts_.back().clock.start; }
+  [[nodiscard]] bool is_over() const noexcept;
 
   System system_;
   std::unique_ptr<Solver> solver_;

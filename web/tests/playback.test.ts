@@ -59,6 +59,19 @@ describe('playback', () => {
     }
   });
 
+  it('knows that nothing will happen any more', () => {
+    const at = (x: number, vx: number) => ({ x, y: 2, vx, vy: 0, mass: 1, radius: 0.5 });
+    const plane = { title: '', width: 8, height: 5, restitution: 1, wallRestitution: 1 };
+    const still = new Playback(engine, { ...plane, boundary: ['reflecting', 'reflecting'], disks: [at(1, 0), at(3, 0)] });
+    expect(still.contact(0)).toBeUndefined();
+    const parting = new Playback(engine, { ...plane, boundary: ['open', 'open'], disks: [at(1, -1), at(3, 1)] });
+    expect(parting.contact(0)).toBeUndefined();
+    const alone = new Playback(engine, { ...plane, boundary: ['periodic', 'periodic'], disks: [at(1, 1)] });
+    expect(alone.contact(0)).toBeUndefined();
+    const bouncing = new Playback(engine, { ...plane, boundary: ['reflecting', 'open'], disks: [at(1, 1)] });
+    expect(bouncing.contact(0)).toMatchObject({ i: 0, j: 'right', time: 6.5 });
+  });
+
   it('counts the digits of pi', () => {
     const playback = new Playback(engine, presetScene(engine, 'galperin', 3));
     // Later the disks come back from the far wall.

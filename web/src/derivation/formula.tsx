@@ -41,8 +41,12 @@ export function Formula({ tex, display }: { tex: string; display?: boolean }) {
     const set = (source: string): void =>
       katex.render(source, place.current!, { displayMode: display, throwOnError: false, output: 'htmlAndMathml', strict: 'ignore' });
     set(text);
+    if (!display) return;
     const frame = place.current!.parentElement!;
-    if (display && frame.scrollWidth > frame.clientWidth + 1) set(broken(text));
+    const overflows = (): boolean => frame.scrollWidth > frame.clientWidth + 1;
+    place.current!.style.fontSize = '';
+    if (overflows()) set(broken(text));
+    if (overflows()) place.current!.style.fontSize = `${Math.max(0.75, frame.clientWidth / frame.scrollWidth)}em`;
   }, [text, display]);
   return <span ref={place} class={display ? 'formula display' : 'formula'} />;
 }

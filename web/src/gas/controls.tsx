@@ -2,17 +2,16 @@
 import { strings } from '../strings';
 import { NumberField } from '../ui/number-field';
 import type { Colour, GasParameters } from './messages';
-import { ask, change, colour, parameters, said, tagging } from './model';
+import { ask, change, colour, limits, parameters, said, tagging } from './model';
 
 interface RowProps {
-  name: 'number' | 'packing' | 'temperature' | 'restitution' | 'fraction' | 'radiusRatio' | 'massRatio' | 'seed';
-  least: number;
-  most: number;
+  name: keyof typeof limits;
   step: number;
   whole?: boolean;
 }
 
-function Row({ name, least, most, step, whole }: RowProps) {
+function Row({ name, step, whole }: RowProps) {
+  const [least, most] = limits[name];
   const words = strings.value.gas;
   const set = (value: number): void => change({ [name]: whole ? Math.round(value) : value } as Partial<GasParameters>);
   return (
@@ -53,18 +52,18 @@ export function GasControls() {
     <div class="controls">
       <fieldset>
         <legend>{words.start}</legend>
-        <Row name="number" least={10} most={20000} step={100} whole />
-        <Row name="packing" least={0.001} most={0.8} step={0.05} />
-        <Row name="temperature" least={0.001} most={1000} step={0.1} />
+        <Row name="number" step={100} whole />
+        <Row name="packing" step={0.05} />
+        <Row name="temperature" step={0.1} />
         <Choice id="gas-boundary" label={words.boundary} value={p.boundary} names={words.boundaries} choose={(boundary) => change({ boundary })} />
         <Choice id="gas-speeds" label={words.speeds} value={p.speeds} names={words.startSpeeds} choose={(speeds) => change({ speeds })} />
-        <Row name="restitution" least={0} most={1} step={0.05} />
+        <Row name="restitution" step={0.05} />
         <details>
           <summary>{words.mixture}</summary>
-          <Row name="fraction" least={0} most={1} step={0.1} />
-          <Row name="radiusRatio" least={0.1} most={10} step={0.1} />
-          <Row name="massRatio" least={0.001} most={1000} step={0.5} />
-          <Row name="seed" least={0} most={1e9} step={1} whole />
+          <Row name="fraction" step={0.1} />
+          <Row name="radiusRatio" step={0.1} />
+          <Row name="massRatio" step={0.5} />
+          <Row name="seed" step={1} whole />
         </details>
       </fieldset>
       <fieldset>

@@ -18,6 +18,18 @@ export const defaults: GasParameters = {
   seed: 1,
 };
 
+/** From where to where they go. */
+export const limits = {
+  number: [10, 20000],
+  packing: [0.001, 0.8],
+  temperature: [0.001, 1000],
+  restitution: [0, 1],
+  fraction: [0, 1],
+  radiusRatio: [0.1, 10],
+  massRatio: [0.001, 1000],
+  seed: [0, 1e9],
+} as const;
+
 export const parameters = signal<GasParameters>(defaults);
 export const running = signal(false);
 /** Time units of the gas per second. */

@@ -15,6 +15,8 @@ let pace = 0.001;
 /** Where the disks stood at the start, and when they should stand there again. */
 let start: { x: Float64Array; y: Float64Array } | null = null;
 let returnsAt = Infinity;
+/** The disk that is tagged: the one nearest to the middle at the start. */
+let tagged = 0;
 
 const say = (answer: Answer, moved: Transferable[] = []): void =>
   (self as unknown as Worker).postMessage(answer, moved);
@@ -37,6 +39,15 @@ function make(toml: string, equalSpeeds: boolean): void {
   returnsAt = Infinity;
   pace = 0.001;
   made();
+  tagged = nearestToMiddle();
+}
+
+function nearestToMiddle(): number {
+  const [x, y] = [column('x'), column('y')];
+  const distance = (k: number): number => Math.hypot(x[k]! - size.x / 2, y[k]! - size.y / 2);
+  let nearest = 0;
+  for (let k = 1; k < count; ++k) if (distance(k) < distance(nearest)) nearest = k;
+  return nearest;
 }
 
 /** Goes on by `span`, or as far as it gets in a frame's budget. Returns whether it got there. */
@@ -92,6 +103,12 @@ function disksOf(colour: Colour): Float32Array {
   return picture;
 }
 
+/** Not folded into the box. */
+function placeOfTagged(): { x: number; y: number } {
+  const turns = (axis: 'x' | 'y'): number => Number(engine.integers(engine.call(`gas_winding_${axis}`), count)[tagged]!);
+  return { x: column('x')[tagged]! + turns('x') * size.x, y: column('y')[tagged]! + turns('y') * size.y };
+}
+
 function show(request: Request & { kind: 'advance' }): void {
   const begin = performance.now();
   const arrived = request.time > 0 ? advance(request.time) : true;
@@ -99,9 +116,7 @@ function show(request: Request & { kind: 'advance' }): void {
   const measured = request.measure ? measurer.measure(engine, count) : null;
   if (request.measure) engine.call('gas_measure_anew');
   const disks = disksOf(request.colour);
-  const turns = (axis: 'x' | 'y'): number => Number(engine.integers(engine.call(`gas_winding_${axis}`), 1)[0]!);
-  const tagged = request.tag ? { x: disks[0]! + turns('x') * size.x, y: disks[1]! + turns('y') * size.y } : null;
-  say({ kind: 'picture', disks, tagged, time: time(), limited: !arrived, work, measured }, [disks.buffer]);
+  say({ kind: 'picture', disks, tagged: request.tag ? placeOfTagged() : null, time: time(), limited: !arrived, work, measured }, [disks.buffer]);
 }
 
 async function answer(request: Request): Promise<void> {

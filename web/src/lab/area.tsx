@@ -7,7 +7,7 @@ import { Arrow } from './arrow';
 import { Backdrop, Paths } from './backdrop';
 import { ContactVectors, FocusedVectors, Lines, Outlines } from './contact';
 import { arrowKey } from './keys';
-import { changeDisk, collisionIs, collisionShown, disksNow, grid, playing, setup, touched } from './model';
+import { changeDisk, collisionIs, collisionShown, disksNow, grid, mostDisks, playing, setup, touched } from './model';
 import { arrowOf, centre, focus, observer, pictureHeight, pictureWidth, scale, show, toPicture, toScene } from './view';
 
 /** Where the pointer is, in the picture's units. */
@@ -167,12 +167,12 @@ function DiskArrows({ disk, number, take }: BodyProps) {
     <g>
       {show.value.has('momentum') && <Arrow kind="momentum" from={from} by={momentum} name={['p', `${number + 1}${after}`]} side={-1} />}
       {show.value.has('velocity') && <Arrow kind="velocity" from={from} by={by} name={['v', `${number + 1}${after}`]} />}
-      {show.value.has('velocity') && show.value.has('values') && (
+      {show.value.has('velocity') && show.value.has('values') && disk.radius * scale.value > 15 && (
         <text class="value" x={from.x} y={from.y + disk.radius * scale.value + 22} text-anchor="middle" aria-hidden="true">
           {shown(Math.hypot(v.x - observer.value.vx, v.y - observer.value.vy))}
         </text>
       )}
-      {show.value.has('velocity') && !playing.value && (
+      {show.value.has('velocity') && !playing.value && setup.value.disks.length <= mostDisks && (
         <g
           class="handle"
           tabindex={0}

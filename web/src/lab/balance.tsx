@@ -99,27 +99,19 @@ export function Residuals() {
       <summary>{words.residuals(collision.i + 1, collision.j + 1)}</summary>
       <div class="scroller" tabindex={0} role="group" aria-label={words.residuals(collision.i + 1, collision.j + 1)}>
         <table>
-          <thead>
-            <tr>
-              <td />
-              <th scope="col">{words.before}</th>
-              <th scope="col">{words.after}</th>
-              <th scope="col">{words.difference}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {rows.map(([name, before, after]) => (
-              <tr key={name} data-residual={name}>
-                <th scope="row">
-                  {name[0]}
-                  <sub>{name[1] ?? ''}</sub>
-                </th>
-                <td>{inFull(before)}</td>
-                <td>{inFull(after)}</td>
-                <td>{inFull(after - before)}</td>
-              </tr>
-            ))}
-          </tbody>
+          {rows.map(([name, before, after]) => (
+            <tbody key={name} data-residual={name}>
+              {([[words.before, before], [words.after, after], [words.difference, after - before]] as const).map(([when, value]) => (
+                <tr key={when} class={when === words.difference ? 'difference' : ''}>
+                  <th scope="row">
+                    {name[0]}
+                    <sub>{name[1] ?? ''}</sub> {when}
+                  </th>
+                  <td>{inFull(value)}</td>
+                </tr>
+              ))}
+            </tbody>
+          ))}
         </table>
       </div>
       <p class="note">{setup.value.restitution === 1 ? words.residualNote : words.residualNoteLossy}</p>

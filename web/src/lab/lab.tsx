@@ -17,9 +17,10 @@ function useClock(): void {
     if (!playing.value) return;
     let last = performance.now();
     let request = requestAnimationFrame(function tick(now: number) {
+      if (!playing.value) return;
       playFor(Math.min(0.1, Math.max(0, now - last) / 1000));
       last = now;
-      if (playing.value) request = requestAnimationFrame(tick);
+      request = requestAnimationFrame(tick);
     });
     return () => cancelAnimationFrame(request);
   }, [playing.value]);

@@ -37,7 +37,9 @@ export const focus = signal<ReadonlySet<Focus> | null>(null);
 /** The picture is 1000 units wide. */
 export const pictureWidth = 1000;
 export const scale = computed(() => pictureWidth / setup.value.width);
-export const pictureHeight = computed(() => setup.value.height * scale.value);
+/** A long narrow scene has room above and below it. */
+export const pictureHeight = computed(() => Math.max(0.3 * pictureWidth, setup.value.height * scale.value));
+const margin = computed(() => (pictureHeight.value - setup.value.height * scale.value) / 2);
 
 export const totalMass = computed(() => setup.value.disks.reduce((sum, { mass }) => sum + mass, 0));
 
@@ -57,12 +59,12 @@ export const observer = computed(() => {
 
 /** From the scene to the picture. */
 export function toPicture({ x, y }: Vec): Vec {
-  return { x: (x - observer.value.x) * scale.value, y: (setup.value.height - (y - observer.value.y)) * scale.value };
+  return { x: (x - observer.value.x) * scale.value, y: margin.value + (setup.value.height - (y - observer.value.y)) * scale.value };
 }
 
 /** From the picture to the scene. */
 export function toScene({ x, y }: Vec): Vec {
-  return { x: x / scale.value + observer.value.x, y: setup.value.height - y / scale.value + observer.value.y };
+  return { x: x / scale.value + observer.value.x, y: setup.value.height - (y - margin.value) / scale.value + observer.value.y };
 }
 
 /** An arrow of the picture for a velocity as the frame of reference sees it. */

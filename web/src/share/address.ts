@@ -1,8 +1,8 @@
 // The whole state in the page's address, after the #: nothing leaves the page.
 import { GasParameters } from '../gas/messages';
-import { change, defaults, parameters } from '../gas/model';
-import { Boundary, Disk } from '../engine/scene';
-import { Setup, load, setup } from '../lab/model';
+import { change, defaults, limits, parameters } from '../gas/model';
+import { Boundary, Disk, parseScene, sceneToml } from '../engine/scene';
+import { Setup, announce, engine, load, sceneOf, setup } from '../lab/model';
 import { setupOf } from '../lab/presets';
 import { Layer, layers, show } from '../lab/view';
 import { Tab, tab } from '../ui/app';
@@ -59,7 +59,8 @@ export function gasOf(hash: string): GasParameters {
   const next: Record<string, unknown> = { ...defaults };
   for (const [key, given] of values) {
     const usual = defaults[key as keyof GasParameters];
-    if (typeof usual === 'number' && Number.isFinite(Number(given))) next[key] = Number(given);
+    const [least, most] = limits[key as keyof typeof limits] ?? [0, 0];
+    if (typeof usual === 'number' && Number.isFinite(Number(given))) next[key] = Math.min(most, Math.max(least, Number(given)));
     if (key === 'boundary' && (given === 'periodic' || given === 'reflecting')) next[key] = given;
     if (key === 'speeds' && (given === 'equal' || given === 'maxwell')) next[key] = given;
   }
@@ -76,6 +77,17 @@ export function addressNow(): string {
   return location.href.split('#')[0] + hash;
 }
 
+/** Whether the engine can simulate it; says why if not. */
+function isSound(found: Setup): boolean {
+  try {
+    parseScene(engine(), sceneToml(sceneOf(found)));
+    return true;
+  } catch (error) {
+    announce(error instanceof Error ? error.message : String(error));
+    return false;
+  }
+}
+
 /** Opens what the page's address says, now and when it changes. */
 export function openAddress(): void {
   const open = (): void => {
@@ -85,7 +97,7 @@ export function openAddress(): void {
       tab.value = 'gas' satisfies Tab;
     }
     const found = name === 'lab' ? labOf(location.hash) : undefined;
-    if (found) {
+    if (found && isSound(found.setup)) {
       load(found.setup);
       show.value = found.show;
       tab.value = 'lab';

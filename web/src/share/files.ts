@@ -30,6 +30,10 @@ export function openSceneText(text: string, name: string): void {
     said.value = message;
     return;
   }
+  if (scene.disks.length > mostInLab && !(scene.width > 0 && scene.height > 0)) {
+    announce(words.shareMenu.noBox);
+    return;
+  }
   if (scene.disks.length > mostInLab) {
     batch(() => {
       opened.value = text;

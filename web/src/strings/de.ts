@@ -195,6 +195,7 @@ export const de: Strings = {
     csv: 'Berührungen als CSV speichern',
     drop: 'Eine Szene kann auch auf die Seite gezogen werden. Es ist dasselbe TOML, das „carom run“ liest.',
     opened: (name) => `${name} ist geöffnet.`,
+    noBox: 'Ein Gas braucht einen Kasten mit einer Größe, um gezeichnet zu werden.',
     tooMany: (n) => `Die Szene hat ${n} Scheiben; sie läuft als Gas.`,
   },
   keys: {

@@ -194,6 +194,7 @@ export const en = {
     csv: 'Save the contacts as CSV',
     drop: 'A scene file can also be dropped on the page. It is the same TOML that “carom run” reads.',
     opened: (name: string) => `Opened ${name}.`,
+    noBox: 'A gas needs a box with a size to be drawn in.',
     tooMany: (n: number) => `The scene has ${n} disks; it runs as a gas.`,
   },
   keys: {

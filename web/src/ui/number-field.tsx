@@ -1,6 +1,6 @@
 // A cell for a number: typed with comma or point, stepped with the arrow keys.
 import { useEffect, useRef } from 'preact/hooks';
-import { language, strings, typed } from '../strings';
+import { inFull, language, strings, typed } from '../strings';
 import { announce } from '../lab/model';
 
 interface Props {
@@ -16,9 +16,10 @@ interface Props {
   change: (value: number) => boolean | void;
 }
 
-/** As typed, or the shortest digits that give this double, at most 6 decimals while not in the cell. */
+/** Four decimals, or two digits of what is smaller; all digits are in the cell's title. */
 function written(value: number): string {
-  const text = String(Math.round(value * 1e6) / 1e6 + 0);
+  const tiny = value !== 0 && Math.abs(value) < 1e-3;
+  const text = String(tiny ? Number(value.toPrecision(2)) : Math.round(value * 1e4) / 1e4 + 0);
   return (language.value === 'de' ? text.replace('.', ',') : text).replace('-', '−');
 }
 
@@ -66,6 +67,7 @@ export function NumberField({ label, value, step, least = -1e6, most = 1e6, mark
       spellcheck={false}
       aria-label={label}
       data-now={text}
+      title={inFull(value)}
       defaultValue={text}
       disabled={disabled}
       onBlur={leave}

@@ -81,6 +81,13 @@ describe('sharing', () => {
     await page.click('#open-share');
     carom(['check', await saved('#save-scene')]);
   });
+  it('an address that cannot be is refused, with the reason', async () => {
+    const opened = await open(browser, `${address}#lab&box=8,5,rr&e=1&disks=1,1,0,0,1,0.5;1.2,1,0,0,1,0.5`);
+    expect(await opened.page.textContent('#said')).toContain('overlap');
+    expect(await opened.page.inputValue('#preset')).toBe('oblique');
+    expect(opened.troubles).toEqual([]);
+    await opened.context.close();
+  });
   it('what is wrong with a file is said', async () => {
     const file = join(folder, 'bad.toml');
     writeFileSync(file, '[box]\nsize = [8, 5]\n\n[[disk]]\npositon = [1, 1]\n');
