@@ -34,14 +34,14 @@ class FramesOfTrajectory final : public Frames {
   explicit FramesOfTrajectory(std::string path) : path_(std::move(path)) {}
 
   void for_each(const Visit& visit) override {
-    XyzReader reader(path_);
-    while (const std::optional<Setup> setup = reader.next()) visit(setup->system, setup->frame);
+    const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path_);
+    while (const std::optional<Setup> setup = reader->next()) visit(setup->system, setup->frame);
   }
 
   std::size_t count() override {
-    XyzReader reader(path_);
+    const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path_);
     std::size_t frames = 0;
-    while (reader.skip()) ++frames;
+    while (reader->skip()) ++frames;
     return frames;
   }
 
@@ -74,8 +74,6 @@ class FramesOfScene final : public Frames {
   double every_;
   std::size_t count_ = 0;
 };
-
-bool is_trajectory(const std::string& path) { return path.ends_with(".xyz"); }
 
 std::unique_ptr<Frames> frames_of(const FilmOptions& options, StatePicture& picture) {
   if (is_trajectory(options.file)) {
@@ -116,6 +114,8 @@ SharedScale scale_of(Frames& frames, const StatePicture& picture) {
 }
 
 }  // namespace
+
+bool is_trajectory(const std::string& path) { return path.ends_with(".xyz") || is_hdf5_file(path); }
 
 void make_film(const FilmOptions& options) {
   StatePicture picture = options.picture;

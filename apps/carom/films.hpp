@@ -19,6 +19,9 @@ struct FilmOptions {
   StatePicture picture;
 };
 
+/// Whether a file is an extended XYZ or H5MD trajectory, not a scene.
+bool is_trajectory(const std::string& path);
+
 /// Makes it. Throws UsageError for options that make no sense, Error if the film cannot be made, Interrupted.
 void make_film(const FilmOptions& options);
 

@@ -32,16 +32,13 @@ struct DrawOptions {
   std::optional<double> frames_per_second;
 };
 
-bool is_xyz(const std::string& path) { return path.size() > 4 && path.substr(path.size() - 4) == ".xyz"; }
-
-/// The frame of an extended XYZ file that is nearest in time, the last one if no time is given.
+/// The frame of a trajectory that is nearest in time, the last one if no time is given.
 Setup frame_of(const std::string& path, const std::optional<double>& time) {
-  if (!time) return read_last_frame(path);
-  XyzReader reader(path);
-  std::optional<Setup> nearest = reader.next();
+  const std::unique_ptr<TrajectoryReader> reader = open_trajectory(path);
+  std::optional<Setup> nearest = reader->next();
   if (!nearest) throw Error("there are no frames", {path, 0, 0});
-  while (std::optional<Setup> frame = reader.next()) {
-    const bool nearer = std::abs(frame->frame.time - *time) < std::abs(nearest->frame.time - *time);
+  while (std::optional<Setup> frame = reader->next()) {
+    const bool nearer = !time || std::abs(frame->frame.time - *time) < std::abs(nearest->frame.time - *time);
     if (nearer) nearest = std::move(frame);
   }
   return std::move(*nearest);
@@ -82,7 +79,7 @@ int picture_command(const DrawOptions& options) {
   }
   StatePicture picture = film.picture;
   Setup setup;
-  if (is_xyz(film.file)) {
+  if (is_trajectory(film.file)) {
     setup = frame_of(film.file, options.time);
   } else {
     const SceneFile file = read_scene(film.file);
@@ -104,7 +101,7 @@ void add_draw(CLI::App& app, Action& action) {
       add_command(app, "draw", "A picture of a scene", "carom draw scenes/gas.toml --time 2 -o gas.svg");
   const auto options = std::make_shared<DrawOptions>();
   FilmOptions& film = options->film;
-  command->add_option("FILE", film.file, "a scene, or an extended XYZ file (its last frame, or see --time)")
+  command->add_option("FILE", film.file, "a scene, or a trajectory (XYZ, H5MD; its last frame, or see --time)")
       ->required()
       ->type_name("");
   add_path(*command, "-o,--output", options->out, "FILE", "the picture: a name ending in .svg, .png or .pdf");
