@@ -214,11 +214,6 @@ class Sweep {
 
 }  // namespace
 
-SweepEnd run_sweep(const SweepPlan& plan) {
-  if (!plan.file.run.until && !plan.file.run.collisions) {
-    throw Error("a sweep's runs need an end: a time or a number of collisions");
-  }
-  return Sweep(plan).run();
-}
+SweepEnd run_sweep(const SweepPlan& plan) { return Sweep(plan).run(); }
 
 }  // namespace carom

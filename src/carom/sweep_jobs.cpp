@@ -100,6 +100,7 @@ std::vector<Problem> problems_of_job(const SweepPlan& plan, const SweepJob& job,
   std::vector<Problem> problems;
   try {
     SceneFile file = scene_of_job(plan, job, index);
+    if (!file.run.until && !file.run.collisions) throw Error("a run needs an end: a time or a number of collisions");
     problems = problems_of(file.scene);
     // The reader knows the range of every key. Disks that are not varied were read before.
     if (!varies_disks(plan)) file.scene.disks.clear();
