@@ -134,12 +134,11 @@ std::size_t Playback::window_of(double time) const noexcept {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - starts_.begin() - 1, 0));
 }
 
-Frame Playback::frame_at(double time, bool included) {
+Frame Playback::frame_at(double time) {
   know_until(time);
   const std::size_t window = std::min(window_of(time), starts_.size() - 2);
   const State& start = starts_[window];
-  const double offset = std::clamp(time - start.clock.start, 0.0, start.clock.length);
-  return read(window, included ? std::min(just_after(offset), start.clock.length) : offset);
+  return read(window, std::clamp(time - start.clock.start, 0.0, start.clock.length));
 }
 
 Frame Playback::frame_after(std::size_t k) {

@@ -40,8 +40,8 @@ class Playback {
   /// Finds contacts until there are more than `count`, or none can come any more, or none comes before `horizon`.
   void know_more_than(std::size_t count, double horizon);
 
-  /// All disks at `time`; contacts at exactly this time have happened if `included`.
-  Frame frame_at(double time, bool included);
+  /// All disks at `time`; contacts at exactly this time have not happened yet.
+  Frame frame_at(double time);
   /// All disks just after contact k, and all others of that same moment.
   Frame frame_after(std::size_t k);
 

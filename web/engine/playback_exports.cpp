@@ -66,8 +66,8 @@ CAROM_EXPORT int carom_play_open() {
 }
 
 /// The disks at `time`; see Playback::frame_at. Null with the reason as text.
-CAROM_EXPORT double* carom_play_frame(double time, int included) {
-  return guarded<double*>(nullptr, [&] { return answer_frame(the_playback->frame_at(time, included != 0)); });
+CAROM_EXPORT double* carom_play_frame(double time) {
+  return guarded<double*>(nullptr, [&] { return answer_frame(the_playback->frame_at(time)); });
 }
 
 /// The disks just after contact k.

@@ -23,7 +23,6 @@ SceneFile made(std::string_view name, double number) {
   if (name == "cradle") return make_cradle(static_cast<std::uint64_t>(number));
   if (name == "galperin") return make_galperin(static_cast<int>(number));
   if (name == "break") return make_break();
-  if (name == "two-disk") return make_two_disks();
   throw Error("there is no preset '" + std::string(name) + "'");
 }
 

@@ -1,6 +1,6 @@
 import { render } from 'preact';
 import 'katex/dist/katex.min.css';
-import './style.css';
+import './style/index.css';
 import { loadModule } from '#load';
 import { Engine } from './engine/module';
 import { startLab } from './lab/model';

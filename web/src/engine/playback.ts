@@ -47,9 +47,9 @@ export class Playback {
     this.count = engine.tryCall('play_open', -1);
   }
 
-  /** All disks at `time`. Contacts at exactly this time have happened if `included`. */
-  disksAt(time: number, included = false): Disk[] {
-    return this.disks(this.engine.numbers('play_frame', 4 * this.count, time, included ? 1 : 0));
+  /** All disks at `time`; what happens at exactly this time has not happened yet. */
+  disksAt(time: number): Disk[] {
+    return this.disks(this.engine.numbers('play_frame', 4 * this.count, time));
   }
 
   /** All disks at contact k: those before it in the log have happened, and k itself too. */

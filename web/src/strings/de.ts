@@ -13,7 +13,6 @@ export const de: Strings = {
   help: 'Tasten',
   share: 'Teilen',
   close: 'Schließen',
-  loading: 'Der Rechenkern wird geladen …',
   failed: 'Der Rechenkern konnte nicht gestartet werden: ',
 
   playRegion: 'Spielfläche',
@@ -158,7 +157,6 @@ export const de: Strings = {
     tag: 'Eine Scheibe markieren, ihre Bahn zeichnen',
     reverse: 'Alle Geschwindigkeiten umkehren',
     removeWall: 'Rechte Wand entfernen',
-    saveScene: 'Als Szene speichern',
     time: 'Zeit',
     collisions: 'Stöße',
     rate: 'Stöße je Scheibe und Zeit',
@@ -171,7 +169,6 @@ export const de: Strings = {
     frameIs: (ms, fps) => `${ms} ms, ${fps} je Sekunde`,
     histogram: 'Tempo',
     histogramNote: 'Balken: die Scheiben jetzt. Linie: Maxwells Verteilung bei dieser Temperatur.',
-    speed: 'Tempo v',
     h: 'Boltzmanns H',
     hNote: 'Gestrichelt: sein kleinster Wert, der von Maxwells Verteilung.',
     pressure: 'Z = βP/ρ',

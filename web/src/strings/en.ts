@@ -10,7 +10,6 @@ export const en = {
   help: 'Keys',
   share: 'Share',
   close: 'Close',
-  loading: 'The engine is loading …',
   failed: 'The engine could not be started: ',
 
   playRegion: 'Play area',
@@ -157,7 +156,6 @@ export const en = {
     tag: 'Tag a disk and draw its path',
     reverse: 'Reverse all velocities',
     removeWall: 'Remove the right wall',
-    saveScene: 'Save as scene',
     time: 'Time',
     collisions: 'Collisions',
     rate: 'Collisions per disk and time',
@@ -170,7 +168,6 @@ export const en = {
     frameIs: (ms: string, fps: string) => `${ms} ms, ${fps} per second`,
     histogram: 'Speeds',
     histogramNote: 'Bars: the disks now. Line: Maxwell’s distribution at this temperature.',
-    speed: 'speed v',
     h: 'Boltzmann’s H',
     hNote: 'Dashed: its least value, that of Maxwell’s distribution.',
     pressure: 'Z = βP/ρ',
