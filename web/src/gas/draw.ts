@@ -77,7 +77,7 @@ export class GasDrawing {
     const { context, canvas, scale, box } = this;
     context.clearRect(0, 0, canvas.width, canvas.height);
     // Copies at whole pixels need no blending; that of many small disks nobody misses.
-    const snap = disks.length > 3 * 8000 ? Math.round : (value: number): number => value;
+    const snap = disks.length > 3 * 3000 ? Math.round : (value: number): number => value;
     for (let k = 0; 3 * k < disks.length; ++k) {
       const stamps = this.stampsFor(box.kinds[2 * k]! * scale);
       const shade = disks[3 * k + 2]!;

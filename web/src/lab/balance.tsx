@@ -101,7 +101,7 @@ export function Residuals() {
         <table>
           {rows.map(([name, before, after]) => (
             <tbody key={name} data-residual={name}>
-              {([[words.before, before], [words.after, after], [words.difference, after - before]] as const).map(([when, value]) => (
+              {([[words.before, before], [words.after, after], [words.difference, Number((after - before).toPrecision(3))]] as const).map(([when, value]) => (
                 <tr key={when} class={when === words.difference ? 'difference' : ''}>
                   <th scope="row">
                     {name[0]}
