@@ -80,7 +80,12 @@ class Frames {
 /// A file that takes its name when it is whole.
 class NewFile {
  public:
-  explicit NewFile(std::string path) : path_(std::move(path)), new_path_(fmt::format("{}.part-{}", path_, getpid())) {}
+  explicit NewFile(const std::string& path) : path_(path) {
+    std::error_code not_there;
+    if (const fs::path followed = fs::canonical(path, not_there); !not_there)
+      path_ = followed.string();  // a link's file
+    new_path_ = fmt::format("{}.part-{}", path_, getpid());
+  }
   ~NewFile() {
     std::error_code ignored;
     if (!in_place_) fs::remove(new_path_, ignored);
@@ -168,10 +173,6 @@ int convert_command(const ConvertOptions& options) {
   if (!known) {
     throw Error(
         fmt::format("cannot convert to {}: give a name that ends in .toml, .xyz, .h5md, .csv or .h5", options.out));
-  }
-  std::error_code not_there;
-  if (fs::equivalent(options.in, options.out, not_there)) {
-    throw UsageError(options.out + ": this is the input, which would be lost");
   }
   Frames frames(options.in);
   if (ending == ".toml") {

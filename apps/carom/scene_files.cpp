@@ -60,7 +60,6 @@ Info trajectory_info(const std::string& path) {
     frames.last = header->time;
   }
   frames.cut_off = ahead->cut_off();
-  if (frames.count == 0 && frames.cut_off) throw Error("the file ends in the middle of its first frame", {path});
   if (frames.count == 0) throw Error("there is no frame in this file", {path});
   info.setup = reader->next().value();
   info.frames = frames;

@@ -86,12 +86,15 @@ XyzFrames::Row XyzFrames::read_row(const XyzColumns& columns, ProblemList& probl
   return row;
 }
 
-/// Whatever is wrong with a frame in which the file ends, it may be that it was cut off there.
+/// Whatever is wrong with a frame in which the file ends, it may be that it was cut off there. Of the first frame it is
+/// told what is wrong.
 std::optional<XyzFrame> XyzFrames::next() {
   try {
-    return read_frame();
+    std::optional<XyzFrame> frame = read_frame();
+    any_whole_ = true;
+    return frame;
   } catch (const Error&) {
-    cut_off_ = may_be_cut_off_ && ended_;
+    cut_off_ = may_be_cut_off_ && any_whole_ && ended_;
     if (!cut_off_) throw;
     return std::nullopt;
   }
@@ -99,9 +102,11 @@ std::optional<XyzFrame> XyzFrames::next() {
 
 std::optional<XyzFrames::Skipped> XyzFrames::skip() {
   try {
-    return skip_frame();
+    const std::optional<Skipped> skipped = skip_frame();
+    any_whole_ = true;
+    return skipped;
   } catch (const Error&) {
-    cut_off_ = may_be_cut_off_ && ended_;
+    cut_off_ = may_be_cut_off_ && any_whole_ && ended_;
     if (!cut_off_) throw;
     return std::nullopt;
   }

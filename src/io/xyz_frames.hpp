@@ -36,7 +36,8 @@ class XyzFrames {
   };
   std::optional<Skipped> skip();
 
-  /// From now on next() and skip() return nothing where the file ends in the middle of a frame, and cut_off() is true.
+  /// From now on next() and skip() return nothing where the file ends in the middle of a frame that is not the first,
+  /// and cut_off() is true.
   void allow_cut_off() noexcept { may_be_cut_off_ = true; }
   [[nodiscard]] bool cut_off() const noexcept { return cut_off_; }
 
@@ -59,7 +60,8 @@ class XyzFrames {
   std::string text_;  // the current line
   std::vector<Word> words_;
   int line_ = 0;
-  bool ended_ = false;  // the last line was asked for in vain, or has no line feed
+  bool ended_ = false;      // the last line was asked for in vain, or has no line feed
+  bool any_whole_ = false;  // frame was read
   bool may_be_cut_off_ = false;
   bool cut_off_ = false;
 };

@@ -82,7 +82,8 @@ void check_flights(const Snapshot& snapshot, Faults& faults) {
 
 void check_books(const Books& books, Faults& faults) {
   faults.add_unless(
-      all(std::initializer_list<std::uint64_t>{books.collisions, books.wall_collisions, books.ties, books.collapses}, is_count) &&
+      all(std::initializer_list<std::uint64_t>{books.collisions, books.wall_collisions, books.ties, books.collapses},
+          is_count) &&
           all(books.events_of, is_count),
       "a count is out of range");
   faults.add_unless(is_sum(books.largest_overlap) && all(books.virial_of, is_sum) && all(books.wall_impulse_of, is_sum),

@@ -216,6 +216,15 @@ class Convert(ResumeTest):
         self.refuse(["convert", "o/trajectory.h5md", "none.xyz", "--time", -1], 1, "no frame at or before")
         self.assertFalse(self.path("none.xyz").exists())
 
+    def test_in_place(self):
+        self.begin("o", 2, "--every", 0.5, "--trajectory", "h5md")
+        self.succeed("convert", "o/trajectory.h5md", "a.xyz")
+        self.succeed("convert", "o/trajectory.h5md", "o/trajectory.h5md")
+        self.succeed("convert", "o/trajectory.h5md", "b.xyz")
+        self.assertEqual(self.read("a.xyz"), self.read("b.xyz"))
+        self.succeed("convert", "a.xyz", "a.xyz")
+        self.assertEqual(self.read("a.xyz"), self.read("b.xyz"))
+
     def test_a_cut_off_frame_is_left_out(self):
         self.begin("o", 2, "--every", 0.5)
         text = self.read("o/trajectory.xyz")
@@ -231,7 +240,7 @@ class Convert(ResumeTest):
         text = self.read("gas.toml")
         self.write("frames.csv", "time,id\n")
         for words, code, part in ((["gas.toml", "gas.png"], 1, "cannot convert"), (["gas.toml", "gas"], 1, "ends in"),
-                                  (["gas.toml", "./gas.toml"], 2, "input"), (["frames.csv", "a.xyz"], 1, "box"),
+                                  (["frames.csv", "a.xyz"], 1, "box"),
                                   (["nowhere.xyz", "a.xyz"], 1, "nowhere"), (["gas.toml", "no/where.xyz"], 1, "no/where"),
                                   (["gas.toml", "no/where.h5md"], 1, "no/where"), (["gas.toml"], 2, "OUT")):
             with self.subTest(words=words):

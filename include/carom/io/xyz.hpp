@@ -31,7 +31,8 @@ class XyzReader {
   /// The next frame (windings 0), or nothing at the end. Throws Error with every problem, each with file:line:column.
   std::optional<Setup> next();
 
-  /// From now on a last frame that is cut off, as a crash leaves it, ends the file without an Error; cut_off() tells.
+  /// From now on a last frame, after others, that is cut off, as a crash leaves it, ends the file without an Error;
+  /// cut_off() tells.
   void allow_cut_off();
   [[nodiscard]] bool cut_off() const noexcept;
 
