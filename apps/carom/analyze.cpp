@@ -32,7 +32,9 @@ void add_analyze(CLI::App& app, Action& action) {
                                   "carom run scenes/gas.toml --until 5 --every 0.25 --out saved --overwrite --quiet\n  "
                                   "carom analyze saved --what msd,speeds");
   const auto options = std::make_shared<AnalyzeOptions>();
-  command->add_option("TRAJECTORY", options->path, "an extended XYZ or H5MD file, or the directory of a run that saved one")
+  command
+      ->add_option("TRAJECTORY", options->path,
+                   "an extended XYZ or H5MD file, or the directory of a run that saved one")
       ->required()
       ->type_name("");
   add_observables(*command, "--what", options->what,

@@ -42,6 +42,9 @@ class SavedFrames {
     return frame;
   }
 
+  /// Whether the file ended in the middle of a frame, which next() has left out.
+  [[nodiscard]] bool cut_off() const noexcept { return reader_->cut_off(); }
+
   [[noreturn]] void refuse(const std::string& reason) const {
     throw Error(fmt::format("frame {}: {}", number_, reason), {name_});
   }
@@ -159,6 +162,8 @@ std::vector<Measurement> analyze(const std::string& path, const std::vector<Obse
   }
   std::vector<Measurement> found = set.results();
   for (Measurement& measurement : found) {
+    if (frames.cut_off())
+      measurement.warnings.emplace_back("the file ends in the middle of a frame, which is left out");
     if (measurement.name != "msd" || !unwinding.doubtful()) continue;
     measurement.warnings.emplace_back(
         "a disk is fast enough to move half a box between two frames: its way cannot be told from them");

@@ -30,9 +30,7 @@ void throw_if_invalid(const Snapshot& snapshot) {
 }  // namespace
 
 Simulation::Simulation(Setup setup, const SolverOptions& solver, const ParallelOptions& parallel)
-    : books_(setup.system.size(), setup.system.box.has_walls()),
-      books_at_start_(0),
-      interrupt_(&kNeverInterrupted) {
+    : books_(setup.system.size(), setup.system.box.has_walls()), books_at_start_(0), interrupt_(&kNeverInterrupted) {
   throw_if_invalid(setup);
   state_ = initial_state(setup);
   system_ = std::move(setup.system);

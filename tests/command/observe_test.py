@@ -219,18 +219,23 @@ class Analyze(ObserveTest):
         self.save(4)
         text = self.read("out/trajectory.xyz")
         frame = "".join(text.splitlines(keepends=True)[:102])
-        self.write("cut.xyz", text[:-200])
         self.write("again.xyz", frame + frame)
         self.write("other.xyz", frame + "1\n" + frame.splitlines()[1].replace("Time=0", "Time=1") + "\n"
                    + frame.splitlines()[2] + "\n")
         self.write("empty.xyz", "")
         self.path("bare").mkdir()
-        for name, *parts in (("cut.xyz", "cut.xyz"), ("again.xyz", "frame 2", "not after"),
+        for name, *parts in (("again.xyz", "frame 2", "not after"),
                              ("other.xyz", "frame 2", "1 disks"), ("empty.xyz", "empty.xyz"),
                              ("nowhere.xyz", "No such file"), ("bare", "holds no trajectory")):
             with self.subTest(name=name):
                 done = self.refuse(["analyze", name, "--what", "msd"], 1, *parts)
                 self.assertEqual(len(done.stderr.splitlines()), 1)
+
+    def test_a_file_that_ends_in_the_middle_of_a_frame(self):
+        self.save(4)
+        self.write("cut.xyz", self.read("out/trajectory.xyz")[:-200])
+        found = self.json_of("analyze", "cut.xyz", "--what", "speeds")
+        self.assertIn("middle of a frame", " ".join(found["speeds"][0]["warnings"]))
 
     def test_a_single_frame(self):
         self.save()

@@ -139,8 +139,8 @@ class Limits(ResumeTest):
         held = os.open(self.path("o"), os.O_RDONLY)
         self.addCleanup(os.close, held)
         fcntl.flock(held, fcntl.LOCK_EX)
-        self.refuse(["resume", "o"], 1, "o: another run is writing here")
-        self.refuse(["run", "gas.toml", "--until", 1, "--out", "o", "--overwrite"], 1, "another run")
+        self.refuse(["resume", "o"], 1, "o: another carom is at work here")
+        self.refuse(["run", "gas.toml", "--until", 1, "--out", "o", "--overwrite"], 1, "another carom")
 
     def test_an_old_run_stays_if_the_new_one_cannot_start(self):
         self.begin("o", 2, "--every", 0.5)

@@ -5,8 +5,10 @@
 namespace carom::io {
 namespace {
 
-/// The library looks for a file of this name, and there cannot be one.
-constexpr const char* kNoFile = "/dev/null/in-memory";
+/// The library looks for a file of this name, and there cannot be one. It tells open files apart by their names, those
+/// in memory too, and several runs may save at once: no two handles have the same number.
+std::string no_file(const Handle& access) { return "/dev/null/in-memory-" + std::to_string(access.id()); }
+
 constexpr std::size_t kLeastIncrement = std::size_t{1} << 16;
 
 /// Access to files that live in memory only.
@@ -21,7 +23,8 @@ Handle memory_access(std::size_t increment, const std::string& name) {
 Handle create_image(const std::string& name, std::size_t expected) {
   prepare_hdf5();
   const Handle access = memory_access(expected, name);
-  return opened(H5Fcreate(kNoFile, H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, name, "cannot be written");
+  return opened(H5Fcreate(no_file(access).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, name,
+                "cannot be written");
 }
 
 std::string image_of(const Handle& file, const std::string& name) {
@@ -38,7 +41,8 @@ Handle open_image(std::string_view bytes, const std::string& name) {
   const Handle access = memory_access(0, name);
   std::string copy(bytes);  // the library asks for a pointer to what it may change, and copies it
   require(H5Pset_file_image(access.id(), copy.data(), copy.size()) >= 0, name, "cannot be read");
-  return opened(H5Fopen(kNoFile, H5F_ACC_RDONLY, access.id()), H5Fclose, name, "is not a sound HDF5 file");
+  return opened(H5Fopen(no_file(access).c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, name,
+                "is not a sound HDF5 file");
 }
 
 }  // namespace carom::io
