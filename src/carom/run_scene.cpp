@@ -66,11 +66,11 @@ class SceneRun {
 
   RunEnd run() {
     save_checkpoint();
-    if (frames_) frames_->write_if_due(simulation_);
+    write_frame_if_due();
     while (!stopped() && !finished()) {
       step();
       if (plan_.progress) plan_.progress(share_done(), simulation_);
-      if (frames_ && !end_.interrupted) frames_->write_if_due(simulation_);
+      if (!end_.interrupted) write_frame_if_due();
       look_around();
     }
     return finish();
@@ -118,11 +118,21 @@ class SceneRun {
 
   [[nodiscard]] bool stopped() const { return end_.interrupted || end_.exhausted || end_.out_of_time || untrusted_; }
 
+  [[nodiscard]] bool stands_at_window_start() const {
+    return simulation_.time() == simulation_.window_start().clock.start;
+  }
+
+  /// One at a window's start stays, even if that window is abandoned.
+  void write_frame_if_due() {
+    if (!frames_) return;
+    frames_->write_if_due(simulation_);
+    if (stands_at_window_start()) frames_->keep();
+  }
+
   [[nodiscard]] bool finished() const {
     const RunSettings& settings = plan_.settings;
     if (settings.until && simulation_.time() >= *settings.until) return true;
-    const bool at_window_end = simulation_.time() == simulation_.window_start().clock.start;
-    return settings.collisions && at_window_end && simulation_.books().collisions >= *settings.collisions;
+    return settings.collisions && stands_at_window_start() && simulation_.books().collisions >= *settings.collisions;
   }
 
   /// To whatever comes first: the end, the next frame, the window's end, or the next sign of progress.
