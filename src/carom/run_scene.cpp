@@ -190,6 +190,7 @@ class SceneRun {
   /// The state at the start of the window in flight. Files that it speaks of are on the disk before it is.
   void save_checkpoint() {
     if (!keeper_) return;
+    plan_.directory->require_still_there();
     Checkpoint checkpoint{.snapshot = simulation_.snapshot(),
                           .settings = plan_.settings,
                           .title = plan_.title,
@@ -209,7 +210,12 @@ class SceneRun {
       checkpoint.files.frames = frames_->kept().frames;
       checkpoint.files.trajectory_bytes = frames_->kept().bytes;
     }
-    keeper_->save(checkpoint);
+    try {
+      keeper_->save(checkpoint);
+    } catch (const Error&) {
+      plan_.directory->require_still_there();  // then that is the reason
+      throw;
+    }
   }
 
   [[nodiscard]] double share_done() const {
