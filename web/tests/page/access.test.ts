@@ -2,24 +2,13 @@
 import { gzipSync } from 'node:zlib';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import type { Server } from 'node:http';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launch, open, serve } from '../browser';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { open } from '../browser';
+import { servedLab } from './lab';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-let browser: Browser;
-let server: Server;
-let address: string;
-
-beforeAll(async () => {
-  browser = await launch();
-  ({ server, address } = await serve());
-});
-afterAll(async () => {
-  await browser.close();
-  server.close();
-});
+const lab = servedLab();
 
 interface Violation {
   id: string;
@@ -41,7 +30,7 @@ describe('access', () => {
     [1920, true, 'de-DE'],
   ] as const) {
     it(`${width} wide, ${dark ? 'dark' : 'light'}, ${locale}`, async () => {
-      const { page, troubles, context } = await open(browser, address, { width, dark, locale });
+      const { page, troubles, context } = await open(lab.browser, lab.address, { width, dark, locale });
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
       expect(await page.getAttribute('html', 'lang')).toBe(locale.slice(0, 2));
       expect(await violations(page)).toEqual([]);
@@ -66,7 +55,7 @@ describe('access', () => {
   }
 
   it('the decimal mark is the language’s', async () => {
-    const { page, context } = await open(browser, address, { locale: 'de-DE' });
+    const { page, context } = await open(lab.browser, lab.address, { locale: 'de-DE' });
     expect(await page.textContent('#clock')).toBe('0,00');
     await page.selectOption('#language', 'en');
     expect(await page.textContent('#clock')).toBe('0.00');
@@ -74,7 +63,7 @@ describe('access', () => {
   });
 
   it('all is reached by Tab, with a visible focus', async () => {
-    const { page, context } = await open(browser, address);
+    const { page, context } = await open(lab.browser, lab.address);
     const reached = new Set<string>();
     for (let k = 0; k < 80; ++k) {
       await page.keyboard.press('Tab');
@@ -97,14 +86,14 @@ describe('access', () => {
 
 describe('loading', () => {
   it('takes less than 700 kB compressed, the derivation with its fonts included', async () => {
-    const context = await browser.newContext();
+    const context = await lab.browser.newContext();
     const page = await context.newPage();
     const sizes = new Map<string, number>();
     page.on('response', (response) => {
       void response.body().then((body) => sizes.set(response.url(), response.url().endsWith('woff2') ? body.length : gzipSync(body, { level: 9 }).length)).catch(() => undefined);
     });
     const start = Date.now();
-    await page.goto(address);
+    await page.goto(lab.address);
     await page.waitForSelector('html[data-ready]');
     console.log(`interactive after ${Date.now() - start} ms`);
     await page.click('#panel-derivation');

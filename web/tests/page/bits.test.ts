@@ -16,7 +16,10 @@ let address: string;
 beforeAll(async () => {
   browser = await launch();
   lab = spawn(program, ['lab', '--no-open', '--port', '0', '--page', pageFolder], { stdio: ['ignore', 'pipe', 'inherit'] });
-  address = await new Promise<string>((resolve) => lab.stdout!.once('data', (data: Buffer) => resolve(data.toString().split('\n')[0]!)));
+  address = await new Promise<string>((resolve, reject) => {
+    lab.stdout!.once('data', (data: Buffer) => resolve(data.toString().split('\n')[0]!));
+    lab.once('exit', (code) => reject(new Error(`carom lab ended with code ${code}`)));
+  });
 });
 afterAll(async () => {
   await browser.close();

@@ -1,34 +1,14 @@
 // Property: every control of the tab "Two disks" works by mouse and by keyboard, and its numbers are those of the program.
-import type { Server } from 'node:http';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { beforeEach, describe, expect, it } from 'vitest';
 import { layers } from '../../src/lab/view';
-import { launch, open, serve } from '../browser';
 import { carom } from '../engine';
+import { openedLab } from './lab';
 
-let browser: Browser;
-let server: Server;
-let address: string;
+const lab = openedLab();
 let page: Page;
-let troubles: string[];
-let close: () => Promise<void>;
-
-beforeAll(async () => {
-  browser = await launch();
-  ({ server, address } = await serve());
-});
-afterAll(async () => {
-  await browser.close();
-  server.close();
-});
-beforeEach(async () => {
-  const opened = await open(browser, address);
-  ({ page, troubles } = opened);
-  close = () => opened.context.close();
-});
-afterEach(async () => {
-  expect(troubles).toEqual([]);
-  await close();
+beforeEach(() => {
+  page = lab.page;
 });
 
 /** Shown in a cell: m, R, x, y, vx or vy of a disk, all counted from 1. */

@@ -1,32 +1,12 @@
 // Property: the gas runs in its worker, goes Maxwell's way, comes back when turned round, and takes all its controls.
-import type { Server } from 'node:http';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { launch, open, serve } from '../browser';
+import type { Page } from 'playwright-core';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { openedLab } from './lab';
 
-let browser: Browser;
-let server: Server;
-let address: string;
+const lab = openedLab('#gas&number=200&packing=0.1&seed=3');
 let page: Page;
-let troubles: string[];
-let close: () => Promise<void>;
-
-beforeAll(async () => {
-  browser = await launch();
-  ({ server, address } = await serve());
-});
-afterAll(async () => {
-  await browser.close();
-  server.close();
-});
-beforeEach(async () => {
-  const opened = await open(browser, `${address}#gas&number=200&packing=0.1&seed=3`);
-  ({ page, troubles } = opened);
-  close = () => opened.context.close();
-});
-afterEach(async () => {
-  expect(troubles).toEqual([]);
-  await close();
+beforeEach(() => {
+  page = lab.page;
 });
 
 const reading = async (name: string): Promise<number> =>

@@ -2,36 +2,17 @@
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import type { Server } from 'node:http';
-import type { Browser, Download, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { launch, open, serve } from '../browser';
+import type { Download, Page } from 'playwright-core';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { open } from '../browser';
 import { carom, root } from '../engine';
+import { openedLab } from './lab';
 
-let browser: Browser;
-let server: Server;
-let address: string;
+const lab = openedLab();
 let page: Page;
-let troubles: string[];
-let close: () => Promise<void>;
 const folder = mkdtempSync(join(tmpdir(), 'carom-lab-'));
-
-beforeAll(async () => {
-  browser = await launch();
-  ({ server, address } = await serve());
-});
-afterAll(async () => {
-  await browser.close();
-  server.close();
-});
-beforeEach(async () => {
-  const opened = await open(browser, address);
-  ({ page, troubles } = opened);
-  close = () => opened.context.close();
-});
-afterEach(async () => {
-  expect(troubles).toEqual([]);
-  await close();
+beforeEach(() => {
+  page = lab.page;
 });
 
 async function saved(button: string): Promise<string> {
@@ -50,7 +31,7 @@ describe('sharing', () => {
     await page.click('#open-share');
     await page.click('#copy-link');
     await page.waitForFunction(() => location.hash.length > 10);
-    const second = await open(browser, page.url());
+    const second = await open(lab.browser, page.url());
     page = second.page;
     expect(await cells()).toEqual(before);
     expect(await page.isChecked('#show-paths')).toBe(true);
@@ -82,7 +63,7 @@ describe('sharing', () => {
     carom(['check', await saved('#save-scene')]);
   });
   it('an address that cannot be is refused, with the reason', async () => {
-    const opened = await open(browser, `${address}#lab&box=8,5,rr&e=1&disks=1,1,0,0,1,0.5;1.2,1,0,0,1,0.5`);
+    const opened = await open(lab.browser, `${lab.address}#lab&box=8,5,rr&e=1&disks=1,1,0,0,1,0.5;1.2,1,0,0,1,0.5`);
     expect(await opened.page.textContent('#said')).toContain('overlap');
     expect(await opened.page.inputValue('#preset')).toBe('oblique');
     expect(opened.troubles).toEqual([]);
