@@ -405,8 +405,8 @@ class PatchedSolver final : public DividedSolver {
 /// they need is in the fastest cache.
 class Costs {
  public:
-  Costs(Vec2 size, const Copies& copies, std::size_t disks) noexcept
-      : size_(size), copies_(copies), disks_(static_cast<double>(disks)) {}
+  Costs(Vec2 size, const Copies& copies, std::size_t disks, double packing_fraction) noexcept
+      : size_(size), copies_(copies), disks_(static_cast<double>(disks)), dilute_(packing_fraction < 0.65) {}
 
   [[nodiscard]] double undivided() const noexcept { return slowdown(disks_); }
 
@@ -431,15 +431,19 @@ class Costs {
     return along(size_.x, columns) * along(size_.y, rows) / (size_.x * size_.y);
   }
 
-  /// Of contacts, where disks do not fit into the fastest cache.
-  [[nodiscard]] static double slowdown(double disks) noexcept {
+  /// Of contacts, where disks do not fit into the fastest cache. With grids of cells, which serve dilute systems, it
+  /// soon comes to an end: all is far then.
+  [[nodiscard]] double slowdown(double disks) const noexcept {
     constexpr double kFit = 20'000;
-    return 1 + std::log2(1 + disks / kFit);
+    constexpr double kAllFar = 4.5;
+    const double slower = 1 + std::log2(1 + disks / kFit);
+    return dilute_ ? std::min(slower, kAllFar) : slower;
   }
 
   Vec2 size_;
   Copies copies_;
   double disks_;
+  bool dilute_;
 };
 
 }  // namespace
@@ -454,7 +458,7 @@ ParallelOptions divided(const System& system, const State& start, const SolverOp
   const auto [low_y, high_y] = std::minmax_element(start.disks.y.begin(), start.disks.y.end());
   const double reach = 2 * system.largest_radius();
   const Vec2 size{std::max(*high_x - *low_x, reach), std::max(*high_y - *low_y, reach)};
-  const Costs costs(size, copies_for(system, start, 0, kDepth), system.size());
+  const Costs costs(size, copies_for(system, start, 0, kDepth), system.size(), packing_fraction(system));
   constexpr double kWorthIt = 0.9;
   constexpr std::uint32_t kMost = 128;
   double least = kWorthIt * costs.undivided();

@@ -1,12 +1,16 @@
 #include "calendar.hpp"
 
 #include <bit>
+#include <limits>
 #include <utility>
 
 namespace carom::fast {
 namespace {
 
 constexpr std::size_t kFew = 8;
+constexpr std::size_t kCachedBuckets = 4096;
+constexpr std::int64_t kFarAhead = 32;
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
 bool comes_later(const Due& a, const Due& b) noexcept { return a.time > b.time; }
 
@@ -50,9 +54,20 @@ void Calendar::start(double length, double width, std::size_t ring) {
   spilled_.clear();
   free_.clear();
   beyond_.clear();
+  far_ahead_ = ring > kCachedBuckets ? kFarAhead : kNever;
+  later_.fill({});
+  needed_by_ = kNever;
   due_.resize(4 * kFew + Bucket::kRoom);
   due_[0] = {predict::kNever, -1};
   count_ = 0;
+}
+
+void Calendar::put_all_that_wait() {
+  for (Later& event : later_) {
+    if (event.disk >= 0) put(event.disk, event.bucket);
+    event.disk = -1;
+  }
+  needed_by_ = kNever;
 }
 
 void Calendar::push_elsewhere(Index disk, double time) {
@@ -137,6 +152,7 @@ void Calendar::begin_lap(const Array<Record>& records) {
 bool Calendar::turn(const Array<Record>& records) {
   while (current_ < last_) {
     ++current_;
+    if (current_ >= needed_by_) put_all_that_wait();
     if ((current_ & mask_) == 0) begin_lap(records);
     const auto slot = static_cast<std::size_t>(current_ & mask_);
     Bucket& bucket = ring_[slot];

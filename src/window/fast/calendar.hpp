@@ -36,7 +36,11 @@ class Calendar {
       push_elsewhere(disk, time);
       return;
     }
-    put(disk, bucket);
+    if (bucket - current_ < far_ahead_) {
+      put(disk, bucket);
+    } else {
+      put_later(disk, bucket);
+    }
   }
 
   // --- the events of the current bucket ---------------------------------------------------------------------
@@ -106,6 +110,17 @@ class Calendar {
     ring_[slot].disks[count] = disk;
     counts_[slot] = static_cast<std::uint8_t>(count + 1);
   }
+  /// Where the ring is larger than the cache: asks for the bucket's line and puts the disk into it some entries later.
+  /// The processor keeps the order of what it writes, so that all would wait for the line.
+  void put_later(Index disk, std::int64_t bucket) {
+    __builtin_prefetch(&ring_[static_cast<std::size_t>(bucket & mask_)], 1);
+    Later& oldest = later_[next_later_];
+    if (oldest.disk >= 0) put(oldest.disk, oldest.bucket);
+    oldest = {disk, bucket};
+    next_later_ = (next_later_ + 1) % later_.size();
+    needed_by_ = std::min(needed_by_, bucket);
+  }
+  void put_all_that_wait();
   void push_elsewhere(Index disk, double time);
   void insert_due(Due event);
   void spill(std::size_t slot, Index disk);
@@ -120,11 +135,20 @@ class Calendar {
   std::int64_t current_ = -1;  // bucket whose events are due
   std::int64_t mask_ = 0;      // the ring's size, a power of two, minus one
   std::uint64_t pushed_ = 0;
+  std::int64_t far_ahead_ = 0;  // from so many buckets ahead on, a bucket may not be in the cache
   Array<Bucket> ring_;
   Array<std::uint8_t> counts_;  // of disks in each bucket of the ring
   std::vector<Bucket> spilled_;
   std::vector<std::uint32_t> free_;  // places in spilled_
   std::vector<Index> beyond_;        // disks whose event lies beyond the ring
+
+  struct Later {
+    Index disk = -1;
+    std::int64_t bucket = 0;
+  };
+  std::array<Later, 16> later_;  // events on their way into their buckets, in a ring
+  std::size_t next_later_ = 0;
+  std::int64_t needed_by_ = 0;  // no bucket of later_ comes before it
 
   std::vector<Due> due_;  // one at infinity, then count_ that are due, latest first; the rest is room
   std::size_t count_ = 0;

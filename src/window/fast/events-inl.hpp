@@ -21,6 +21,7 @@ class Events {
         elastic_(work.system.physics.elastic()),
         plainly_(elastic_ && work.log == nullptr),
         patched_(work.patched),
+        far_(work.records.size() > kNear),
         length_(work.length),
         mass_(work.mass(0)),
         sigma_(records_[0].radius + records_[0].radius) {}
@@ -80,6 +81,9 @@ class Events {
   }
 
  private:
+  /// So many disks fit into the fast caches.
+  static constexpr std::size_t kNear = 20'000;
+
   bool settle_tie() {
     return calendar_.settle_tie(work_.records, [&](Index a, Index b) { return work_.key_of(a) < work_.key_of(b); });
   }
@@ -352,17 +356,44 @@ class Events {
     return is_outside({own.x, own.y});
   }
 
-  /// Asks for the lines that the events now due will read, and for those that have to be there to ask the same at the
-  /// next turn.
+  /// Asks for what the next events will read.
   void prefetch() const {
+    if (Near::kReadsFar && far_) {
+      prefetch_in_steps();
+      return;
+    }
     calendar_.peek(1, [&](Index k) {
       __builtin_prefetch(&records_[k]);
       near_.prefetch(k);
     });
-    calendar_.for_due([&](Index k) {
-      near_.prefetch(std::max(records_[k].partner, 0));
-      near_.prefetch_around(k);
+    calendar_.for_due([&](Index k) { near_.prefetch(std::max(records_[k].partner, 0)); });
+  }
+
+  /// Where the disks do not fit into the cache: each step finds at hand what the one before asked for, a bucket
+  /// earlier.
+  void prefetch_in_steps() const {
+    calendar_.peek(2, [&](Index k) {
+      __builtin_prefetch(&records_[k], 1);
+      near_.prefetch(k);
     });
+    calendar_.peek(1, [&](Index k) {
+      const Index partner = records_[k].partner;
+      near_.prefetch_around(k, partner);
+      if (partner < 0) return;
+      __builtin_prefetch(&records_[partner], 1);
+      near_.prefetch(partner);
+      prefetch_books(k);
+      prefetch_books(partner);
+    });
+    calendar_.for_due([&](Index k) { near_.prefetch_candidates(k, records_[k].partner); });
+  }
+
+  void prefetch_books(Index k) const {
+    __builtin_prefetch(&work_.virial[k], 1);
+    __builtin_prefetch(&work_.ids[k]);
+    if (!patched_) return;
+    __builtin_prefetch(&work_.histories[k], 1);
+    __builtin_prefetch(&work_.last_events[k]);
   }
 
   Workspace& work_;
@@ -373,6 +404,7 @@ class Events {
   const bool wraps_x_, wraps_y_, elastic_;
   const bool plainly_;  // contacts are elastic and nobody asks for them one by one
   const bool patched_;
+  const bool far_;  // the disks are too many for the cache
   const double length_;
   const double mass_;   // where all disks are of one kind
   const double sigma_;  // the same

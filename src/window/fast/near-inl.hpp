@@ -28,6 +28,9 @@ enum class Look {
 template <class Kernel, bool kOneKind>
 class NearFromLists {
  public:
+  /// Whether it pays to ask early for all that a prediction reads.
+  static constexpr bool kReadsFar = false;
+
   explicit NearFromLists(Workspace& work)
       : work_(work),
         records_(work.records.data()),
@@ -89,7 +92,8 @@ class NearFromLists {
   void folded(Index k, Image /*turns*/, double time) { work_.renew_list(k, time); }
 
   void prefetch(Index k) const { __builtin_prefetch(&lists_[k]); }
-  void prefetch_around(Index /*k*/) const {}
+  void prefetch_around(Index /*k*/, Index /*partner*/) const {}
+  void prefetch_candidates(Index /*k*/, Index /*partner*/) const {}
 
  private:
   /// When the disk has gone as far from its list's centre as it may; kNever if not before `time` or the window's end.
@@ -119,6 +123,8 @@ class NearFromLists {
 template <class Kernel, bool kOneKind>
 class NearFromCells {
  public:
+  static constexpr bool kReadsFar = true;
+
   explicit NearFromCells(Workspace& work)
       : work_(work),
         records_(work.records.data()),
@@ -196,11 +202,35 @@ class NearFromCells {
 
   void folded(Index k, Image turns, double /*time*/) { cells_.fold(k, turns); }
 
-  void prefetch(Index k) const { __builtin_prefetch(&cells_[k]); }
-  void prefetch_around(Index k) const {
+  void prefetch(Index k) const { __builtin_prefetch(&cells_[k], 1); }
+  void prefetch_around(Index k, Index partner) const {
     const Place& place = cells_[k];
-    const Index* row = cells_.slots(place.column - 1, place.row - 1);
-    for (int b = 0; b < 3; ++b, row += row_stride_) __builtin_prefetch(row);
+    const Index* const here = cells_.slots(place);
+    if (partner < 0) {
+      const Index* const ahead = here + ahead_[place.exit];
+      const std::ptrdiff_t across = across_[place.exit];
+      __builtin_prefetch(here, 1);
+      __builtin_prefetch(ahead, 1);
+      __builtin_prefetch(ahead - across);
+      __builtin_prefetch(ahead + across);
+    } else {
+      prefetch_rows(here);
+    }
+  }
+  void prefetch_candidates(Index k, Index partner) const {
+    const Place& place = cells_[k];
+    const Index* const here = cells_.slots(place);
+    alignas(64) std::array<Index, Candidates::kRoom> near;
+    int size = 0;
+    if (partner < 0) {
+      const std::ptrdiff_t across = across_[place.exit];
+      Kernel::template collect<Cells::kSlots>(here + ahead_[place.exit] - across, across, k, near.data(), size);
+    } else {
+      prefetch_rows(cells_.slots(cells_[partner]));
+      Kernel::template collect<3 * Cells::kSlots>(here - row_stride_ - Cells::kSlots, row_stride_, k, near.data(),
+                                                  size);
+    }
+    for (int m = 0; m < size; ++m) __builtin_prefetch(&records_[Slot::disk(near[m])]);
   }
 
  private:
@@ -210,6 +240,15 @@ class NearFromCells {
     if (near.size > Candidates::kRoom - 16 || (place.traits & Place::kNearWall) != 0) return Look::closer;
     place.traits = static_cast<std::uint8_t>(place.traits & ~Place::kHasImage);
     return plain && place.traits == Place::kPlain ? Look::plain : Look::copies;
+  }
+
+  void prefetch_rows(const Index* here) const {
+    constexpr int kLastSlot = 2 * Cells::kSlots - 1;  // in the third cell of a row
+    const Index* row = here - row_stride_;
+    for (int b = 0; b < 3; ++b, row += row_stride_) {
+      __builtin_prefetch(row - Cells::kSlots);
+      __builtin_prefetch(row + kLastSlot);
+    }
   }
 
   /// The crossing or the contact, whichever comes first, goes into the record.
