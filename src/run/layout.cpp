@@ -8,10 +8,6 @@
 namespace carom {
 namespace {
 
-constexpr double kDisksPerBin = 6;
-/// A periodic axis of which more than this has to be loaded is loaded whole.
-constexpr double kLargestPart = 0.7;
-
 double along(Vec2 v, int axis) noexcept { return axis == 0 ? v.x : v.y; }
 
 }  // namespace

@@ -11,6 +11,10 @@
 
 namespace carom {
 
+/// A periodic axis of which more than this has to be loaded is loaded whole.
+inline constexpr double kLargestPart = 0.7;
+inline constexpr double kDisksPerBin = 6;
+
 /// A patch's disks, and what each is to it.
 struct Loading {
   Rectangle loaded;

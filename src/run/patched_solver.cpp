@@ -406,7 +406,9 @@ class PatchedSolver final : public DividedSolver {
 class Costs {
  public:
   Costs(Vec2 size, const Copies& copies, std::size_t disks, double packing_fraction) noexcept
-      : size_(size), copies_(copies), disks_(static_cast<double>(disks)), dilute_(packing_fraction < 0.65) {}
+      : size_(size), copies_(copies), disks_(static_cast<double>(disks)), dilute_(packing_fraction < 0.65) {
+    copies_.halo += std::sqrt(kDisksPerBin * size.x * size.y / disks_);  // whole bins are loaded
+  }
 
   [[nodiscard]] double undivided() const noexcept { return slowdown(disks_); }
 
@@ -417,7 +419,8 @@ class Costs {
     // Copies are left alone from the outside to the inside; by Simpson's rule.
     const double middle = std::min(copies_.halo, 0.5 * copies_.halo + 1.5 * copies_.near);
     const double end = std::min(copies_.halo, 2 * copies_.near);
-    const double advanced = (loaded + 4 * share(columns, rows, middle) + share(columns, rows, end)) / 6;
+    const double advanced =
+        loaded < 1 ? (loaded + 4 * share(columns, rows, middle) + share(columns, rows, end)) / 6 : 1;
     const double patch = advanced * slowdown(loaded * disks_) + kLoading * loaded;
     return patch * std::ceil(static_cast<double>(columns) * rows / threads);
   }
@@ -426,7 +429,8 @@ class Costs {
   /// Of all disks, those within `width` of a patch.
   [[nodiscard]] double share(std::uint32_t columns, std::uint32_t rows, double width) const noexcept {
     const auto along = [width](double length, std::uint32_t parts) {
-      return parts == 1 ? length : std::min(length, length / parts + 2 * width);
+      const double part = length / parts + 2 * width;
+      return parts == 1 || part > kLargestPart * length ? length : part;
     };
     return along(size_.x, columns) * along(size_.y, rows) / (size_.x * size_.y);
   }
