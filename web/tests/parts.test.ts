@@ -1,7 +1,7 @@
 // Property: the page's own small parts: places without overlap, addresses that come back, theory of the cited values.
 import { describe, expect, it } from 'vitest';
 import { broken, membersOf } from '../src/derivation/formula';
-import { ticks } from '../src/gas/charts';
+import { roomy, speedColumns } from '../src/gas/charts';
 import { maxwellShare } from '../src/gas/measure';
 import { defaults, gasToml } from '../src/gas/model';
 import { collisionRateOf, compressibilityOf } from '../src/gas/theory';
@@ -82,12 +82,20 @@ describe('gas', () => {
 });
 
 describe('details', () => {
-  it('ticks lie within', () => {
-    for (const [low, high] of [[0, 1], [-3.1, 2.2], [1e-3, 2e-3]] as const) {
-      const marks = ticks(low, high);
-      expect(marks.length).toBeGreaterThan(1);
-      expect(marks.every((mark) => mark >= low - 1e-12 && mark <= high + 1e-12)).toBe(true);
+  it('charts have room around what they show, also for nothing and for one value', () => {
+    for (const [least, most] of [[0, 1], [-3.1, 2.2], [2, 2], [0, 0]] as const) {
+      const [low, high] = roomy(least, most);
+      expect(low).toBeLessThan(least);
+      expect(high).toBeGreaterThan(most);
     }
+    expect(roomy(null, null)).toEqual([0, 1]);
+  });
+  it('the histogram and Maxwell’s line are densities: they sum to one over the speeds', () => {
+    const histogram = new Float64Array(32).fill(1 / 32);
+    const [speeds, densities, theory] = speedColumns({ histogram, binWidth: 0.25 }) as number[][];
+    expect(speeds![0]).toBeCloseTo(0.125, 12);
+    expect(densities!.reduce((sum, f) => sum + 0.25 * f, 0)).toBeCloseTo(1, 12);
+    expect(theory!.reduce((sum, f) => sum + 0.25 * f, 0)).toBeCloseTo(1 - Math.exp(-8), 12);
   });
   it('directions', () => expect([{ x: 1, y: 0 }, { x: 0, y: 1 }, { x: -1, y: 0 }, { x: 1, y: -1 }].map(direction)).toEqual([0, 2, 4, 7]));
   it('chains of equations break at their relations only', () => {

@@ -37,6 +37,8 @@ export const pace = signal(1);
 export const colour = signal<Colour>('speed');
 export const tagging = signal(false);
 export const box = signal<Made | null>(null);
+/** Whether the gas is held in the left half. */
+export const wallStands = signal(false);
 export const measured = signal<Measured | null>(null);
 export const history = signal<{ time: number; h: number; z: number }[]>([]);
 export const frameTimes = signal({ work: 0, draw: 0, perSecond: 0 });
@@ -77,7 +79,7 @@ export function gasToml(p: GasParameters): string {
     { count: second, radius: 0.5 * p.radiusRatio, mass: p.massRatio },
   ].filter(({ count }) => count > 0);
   const area = kinds.reduce((sum, { count, radius }) => sum + count * radius * radius, 0);
-  const lines = ['[box]', `boundary = "${p.boundary}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
+  const lines = ['[box]', `boundary = "${p.boundary === 'half' ? 'reflecting' : p.boundary}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
   for (const { count, radius, mass } of kinds) {
     const share = (count * radius * radius) / area;
     lines.push('', '[[gas]]', `count = ${count}`, `packing_fraction = ${tomlNumber(p.packing * share)}`);
@@ -96,8 +98,14 @@ export function makeGas(): void {
     said.value = '';
   });
   ratesSeen = 0;
-  const toml = opened.value ?? gasToml(parameters.value);
-  ask({ kind: 'make', toml, equalSpeeds: opened.value === null && parameters.value.speeds === 'equal' });
+  const made = opened.value === null;
+  const { speeds, boundary } = parameters.value;
+  ask({
+    kind: 'make',
+    toml: opened.value ?? gasToml(parameters.value),
+    equalSpeeds: made && speeds === 'equal',
+    half: made && boundary === 'half',
+  });
   ask({ kind: 'advance', time: 0, colour: colour.value, tag: tagging.value, measure: true });
 }
 
@@ -118,6 +126,7 @@ function hear(answer: Answer): void {
   switch (answer.kind) {
     case 'made':
       box.value = answer;
+      wallStands.value = answer.width < answer.room;
       break;
     case 'picture':
       limited.value = answer.limited;
@@ -133,6 +142,10 @@ function hear(answer: Answer): void {
         const far = answer.distance > 0.1;
         said.value = `${words.returned(answer.distance.toExponential(1))} ${far ? words.forgot : words.remembers}`;
       });
+      break;
+    case 'wallBack':
+      said.value = answer.over === 0 ? words.wallBack : words.wallNotBack(answer.over);
+      if (answer.over > 0) running.value = false;
       break;
     case 'saved':
       onSaved(answer.toml);

@@ -61,7 +61,7 @@ export function gasOf(hash: string): GasParameters {
     const usual = defaults[key as keyof GasParameters];
     const [least, most] = limits[key as keyof typeof limits] ?? [0, 0];
     if (typeof usual === 'number' && Number.isFinite(Number(given))) next[key] = Math.min(most, Math.max(least, Number(given)));
-    if (key === 'boundary' && (given === 'periodic' || given === 'reflecting')) next[key] = given;
+    if (key === 'boundary' && (given === 'periodic' || given === 'reflecting' || given === 'half')) next[key] = given;
     if (key === 'speeds' && (given === 'equal' || given === 'maxwell')) next[key] = given;
   }
   return next as unknown as GasParameters;

@@ -3,6 +3,7 @@ import { useRef } from 'preact/hooks';
 import type { Contact } from '../engine/playback';
 import { announce, contactsSoFar, playback } from '../lab/model';
 import { said } from '../gas/model';
+import { gasDrawing } from '../gas/stage';
 import { strings } from '../strings';
 import { tab } from '../ui/app';
 import { Dialog, dialog } from '../ui/dialog';
@@ -71,8 +72,8 @@ async function copyLink(): Promise<void> {
 }
 
 async function savePng(): Promise<void> {
-  const canvas = document.querySelector<HTMLCanvasElement>('#gas-picture');
-  save(canvas ? 'gas.png' : 'collision.png', await (canvas ? pngOfCanvas(canvas) : pngOfSvg(standaloneSvg())));
+  const gas = gasDrawing.value;
+  save(gas ? 'gas.png' : 'collision.png', await (gas ? pngOfCanvas(gas.copy()) : pngOfSvg(standaloneSvg())));
 }
 
 function saveCsv(): void {
