@@ -8,10 +8,10 @@ mkdirSync(folder, { recursive: true });
 const { server, address } = await serve();
 const browser = await launch();
 const only = process.argv[2];
-for (const [width, height] of [[360, 740], [1280, 860], [1920, 1080]] as const) {
+for (const [width, height, dark] of [[360, 740, false], [1280, 860, false], [1280, 860, true], [1920, 1080, true]] as const) {
   if (only && only !== String(width)) continue;
-  const { page, troubles } = await open(browser, address, { width, height });
-  const shot = (name: string): Promise<Buffer> => page.screenshot({ path: `${folder}/${name}-${width}.png` });
+  const { page, troubles } = await open(browser, address, { width, height, dark });
+  const shot = (name: string): Promise<Buffer> => page.screenshot({ path: `${folder}/${name}-${width}${dark ? '-dark' : ''}.png`, fullPage: true });
   await shot('start');
   await page.click('#next-contact');
   await page.check('#show-parts');
@@ -29,6 +29,14 @@ for (const [width, height] of [[360, 740], [1280, 860], [1920, 1080]] as const) 
   await page.click('#gas-play');
   await page.waitForTimeout(2500);
   await shot('gas');
+  await page.selectOption('#gas-boundary', 'half');
+  await page.check('#gas-tag');
+  await page.click('#gas-play');
+  await page.waitForTimeout(1000);
+  await shot('half');
+  await page.click('#gas-remove-wall');
+  await page.waitForTimeout(3000);
+  await shot('expanded');
   console.log(width, troubles);
 }
 await browser.close();

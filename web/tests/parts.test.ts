@@ -8,7 +8,8 @@ import { collisionRateOf, compressibilityOf } from '../src/gas/theory';
 import { fits, placed } from '../src/lab/placing';
 import { presets } from '../src/lab/presets';
 import { direction } from '../src/lab/sentences';
-import { gasHash, gasOf, labHash, labOf } from '../src/share/address';
+import { labHash, labOf } from '../src/share/address';
+import { gasHash, gasOf, gasViewOf, usualGasView } from '../src/share/gas-address';
 import { startEngine } from './engine';
 
 const engine = await startEngine();
@@ -31,16 +32,21 @@ describe('addresses', () => {
   for (const preset of presets) {
     it(`give the set-up back: ${preset.name}`, () => {
       const setup = { ...preset.make(engine), preset: preset.name };
-      const show = new Set(['velocity', 'paths'] as const);
-      const back = labOf(labHash(setup, show))!;
+      const show = new Set(['velocity', 'change', 'paths', 'scale'] as const);
+      const view = { show, constantSize: false, time: 0, contact: 3, slow: true, pauseAtContact: false, panel: 'derivation' as const, step: 4 };
+      const back = labOf(labHash(setup, view))!;
       expect(back.setup.disks).toEqual(setup.disks);
       expect(back.setup).toMatchObject({ width: setup.width, height: setup.height, boundary: setup.boundary, restitution: setup.restitution });
-      expect(back.show).toEqual(show);
+      expect(back.view).toEqual(view);
+      expect(labOf(labHash(setup, { ...view, time: 1.25, contact: 0 }))!.view).toMatchObject({ time: 1.25, contact: 0 });
     });
   }
   it('of a gas', () => {
-    const gas = { ...defaults, number: 5000, boundary: 'reflecting' as const, seed: 9 };
-    expect(gasOf(gasHash(gas))).toEqual(gas);
+    const gas = { ...defaults, number: 5000, boundary: 'half' as const, seed: 9 };
+    const view = { pace: 0.1, colour: 'order' as const, tag: true };
+    expect(gasOf(gasHash(gas, view))).toEqual(gas);
+    expect(gasViewOf(gasHash(gas, view))).toEqual(view);
+    expect(gasViewOf(gasHash(gas))).toEqual(usualGasView);
   });
   it('that are broken are refused', () => {
     for (const hash of ['#lab', '#lab&box=8,5,rr', '#lab&box=8,5,rr&disks=1,2', '#lab&box=a,5,rr&disks=1,2,3,4,5,6']) {

@@ -8,7 +8,7 @@ import { history, parameters } from './model';
 import { Column, Plot, themeColour } from './plot';
 import { compressibilityOf } from './theory';
 
-const bars: uPlot.Series = { stroke: themeColour('--disk-1'), fill: themeColour('--disk-1'), width: 0, paths: uPlot.paths.bars!({ size: [0.9] }) };
+const bars: uPlot.Series = { stroke: themeColour('--disk-1'), fill: themeColour('--disk-1'), width: 0, points: { show: false }, paths: uPlot.paths.bars!({ size: [0.9] }) };
 const measuredLine: uPlot.Series = { stroke: themeColour('--disk-1'), width: 2, points: { show: false } };
 const theoryLine: uPlot.Series = { stroke: themeColour('--disk-2'), width: 2.5, points: { show: false } };
 const theoryCurve: uPlot.Series = { ...theoryLine, paths: uPlot.paths.spline!() };

@@ -43,7 +43,7 @@ function optionsOf({ series, yRange, axes }: Props, width: number, read: (words:
   return {
     width,
     height,
-    padding: [8, 8, 0, 0],
+    padding: [8, 16, 0, 0],
     legend: { show: false },
     cursor: { y: false, drag: { x: false, y: false }, points: { show: false } },
     scales: { x: { time: false, range: (_, least, most) => (least < most ? [least, most] : [least, least + 1]) }, y: { range: yRange } },
