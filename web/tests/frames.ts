@@ -24,7 +24,7 @@ function intervals(page: Page): Promise<number[]> {
 
 interface Times {
   frames: number[];
-  /** Of the page's thread per picture, all that it does included (ms). */
+  /** Processor time of the page's thread per frame, all that it does included (ms). */
   page: number;
   /** Of the worker and of drawing, per picture, as the page itself shows them (ms). */
   worker: number;
@@ -37,7 +37,7 @@ async function timed(page: Page): Promise<Times> {
   await page.waitForTimeout(2500);
   const metrics = await page.context().newCDPSession(page);
   await metrics.send('Performance.enable');
-  const busy = async (): Promise<number> => (await metrics.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration')!.value;
+  const busy = async (): Promise<number> => (await metrics.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'ThreadTime')!.value;
   const before = await busy();
   const found = await intervals(page);
   const spent = (1000 * ((await busy()) - before)) / frames;

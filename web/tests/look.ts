@@ -19,6 +19,17 @@ for (const [width, height, dark] of [[360, 740, false], [1280, 860, false], [128
   await shot('contact');
   await page.uncheck('#show-parts');
   await page.uncheck('#show-impulse');
+  for (const layer of ['momentum', 'change', 'paths', 'centre', 'scale']) await page.setChecked(`#show-${layer}`, true);
+  for (let k = 0; k < 6; ++k) await page.keyboard.press('.');
+  await page.focus('#mass-2');
+  await shot('change');
+  for (let k = 0; k < 12; ++k) await page.keyboard.press('ArrowRight');
+  await page.focus('[data-disk="1"]');
+  await shot('place');
+  await page.focus('[data-tip="1"]');
+  await shot('velocity');
+  for (const layer of ['momentum', 'change', 'paths', 'centre']) await page.setChecked(`#show-${layer}`, false);
+  await page.click('#next-contact');
   await page.click('#panel-derivation');
   await page.click('#step-next');
   await page.click('#step-next');
@@ -31,7 +42,6 @@ for (const [width, height, dark] of [[360, 740, false], [1280, 860, false], [128
   await shot('gas');
   await page.selectOption('#gas-boundary', 'half');
   await page.check('#gas-tag');
-  await page.click('#gas-play');
   await page.waitForTimeout(1000);
   await shot('half');
   await page.click('#gas-remove-wall');

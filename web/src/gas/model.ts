@@ -40,7 +40,7 @@ export const box = signal<Made | null>(null);
 /** Whether the gas is held in the left half. */
 export const wallStands = signal(false);
 export const measured = signal<Measured | null>(null);
-export const history = signal<{ time: number; h: number; z: number }[]>([]);
+export const history = signal<{ time: number; h: number; z: number; packing: number }[]>([]);
 export const frameTimes = signal({ work: 0, draw: 0, perSecond: 0 });
 export const limited = signal(false);
 export const said = signal('');
@@ -164,7 +164,7 @@ function note(next: Measured): void {
     measured.value = next;
     // The first stretch after a start has no rate yet.
     if (ratesSeen++ > 0) {
-      history.value = [...history.value.slice(-299), { time: next.time, h: next.h, z: next.compressibility }];
+      history.value = [...history.value.slice(-299), { time: next.time, h: next.h, z: next.compressibility, packing: next.packing }];
     }
   });
 }

@@ -110,9 +110,10 @@ function Legend() {
   );
 }
 
-/** Over the last ten seconds or so. */
-function meanZ(): number {
-  const values = history.value.slice(-40).map(({ z }) => z).filter(Number.isFinite);
+/** Over the last ten seconds or so, since the box has its size. */
+function meanZ(packing: number): number {
+  const since = history.value.slice(-40).filter((point) => point.packing === packing);
+  const values = since.map(({ z }) => z).filter(Number.isFinite);
   return values.reduce((sum, z) => sum + z, 0) / values.length;
 }
 
@@ -128,7 +129,7 @@ function Readings() {
     ['time', words.time, shown(now.time, 2)],
     ['collisions', words.collisions, counted(now.collisions)],
     ['rate', words.rate, shown(now.rate, 3) + theory(rate)],
-    ['z', words.compressibility, shown(meanZ(), 3) + theory(z)],
+    ['z', words.compressibility, shown(meanZ(now.packing), 3) + theory(z)],
     ['kT', words.kT, shown(now.kT, 4)],
     ['drift', words.drift, now.drift.toExponential(1).replace('-', '−').replace('e-', 'e−')],
     ['order', words.order, shown(now.order, 3)],

@@ -73,7 +73,6 @@ export function PlayArea() {
       <Paths />
       <Lines />
       <Outlines />
-      <Leaders />
       {disksNow.value.map((disk, k) => (
         <DiskBody key={k} disk={disk} number={k} take={take} />
       ))}
@@ -85,6 +84,7 @@ export function PlayArea() {
       {disksNow.value.map((disk, k) => (
         <DiskNumber key={k} disk={disk} number={k} />
       ))}
+      <Leaders />
     </svg>
   );
 }

@@ -3,7 +3,7 @@ import type { Vec } from '../engine/playback';
 import type { Disk } from '../engine/scene';
 import { shown } from '../strings';
 import { disksNow, grid, playing, setup, touched } from './model';
-import { arrowOf, observer, toPicture } from './view';
+import { arrowOf, observer, scale, toPicture } from './view';
 
 /** Decimals that tell fine steps of the grid apart. */
 const decimals = (): number => Math.max(0, Math.ceil(-Math.log10(grid.value / 10 / setup.value.arrow) - 1e-9));
@@ -53,9 +53,11 @@ function OfVelocity({ disk }: { disk: Disk }) {
   const tip = { x: from.x + by.x, y: from.y + by.y };
   const corner = { x: tip.x, y: from.y };
   const away = by.x < 0 ? -1 : 1;
+  // Beyond the disk, and below it beyond its speed.
+  const beside = disk.radius * scale.value + (by.y > 0 ? 16 : 48);
   return (
     <>
-      <Leader from={from} to={corner} base="v" index="x" value={disk.vx} at={{ x: (from.x + corner.x) / 2, y: from.y + (by.y > 0 ? -20 : 22) }} />
+      <Leader from={from} to={corner} base="v" index="x" value={disk.vx} at={{ x: (from.x + corner.x) / 2, y: from.y + (by.y > 0 ? -beside : beside) }} />
       <Leader
         from={corner}
         to={tip}

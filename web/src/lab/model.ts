@@ -172,6 +172,7 @@ export function load(next: Setup): void {
     playing.value = false;
     cursor.value = { time: 0 };
     setup.value = next;
+    announcement.value = ''; // of what was before
   });
 }
 
