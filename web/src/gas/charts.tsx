@@ -51,14 +51,15 @@ interface SeriesProps {
   caption: string;
   note: string;
   axis: string;
-  of: 'h' | 'z';
+  of: 'h' | 'compressibility';
   theory: number | undefined;
 }
 
 function Series({ caption, note, axis, of, theory }: SeriesProps) {
   const points = history.value;
   const columns = useMemo(() => {
-    const known = points.filter((point) => Number.isFinite(point[of]));
+    // Of the last minute and some.
+    const known = points.slice(-300).filter((point) => Number.isFinite(point[of]));
     return [known.map(({ time }) => time), known.map((point) => point[of]), known.map(() => theory ?? null)];
   }, [points, theory]);
   const now = columns[1]!.at(-1);
@@ -84,5 +85,5 @@ export function PressureChart({ measured }: { measured: Measured }) {
   const words = strings.value.gas;
   const { fraction, restitution } = parameters.value;
   const theory = fraction === 0 && restitution === 1 ? compressibilityOf(measured.packing) : undefined;
-  return <Series caption={words.pressure} note={words.pressureNote} axis="Z" of="z" theory={theory} />;
+  return <Series caption={words.pressure} note={words.pressureNote} axis="Z" of="compressibility" theory={theory} />;
 }

@@ -59,7 +59,7 @@ export function GasControls() {
         <Choice id="gas-speeds" label={words.speeds} value={p.speeds} names={words.startSpeeds} choose={(speeds) => change({ speeds })} />
         <Row name="restitution" step={0.05} />
         <details>
-          <summary>{words.mixture}</summary>
+          <summary id="gas-mixture">{words.mixture}</summary>
           <Row name="fraction" step={0.1} />
           <Row name="radiusRatio" step={0.1} />
           <Row name="massRatio" step={0.5} />

@@ -2,6 +2,7 @@
 import { PlainDisks } from './disks-plain';
 import { WebglDisks } from './disks-webgl';
 import type { Made, Picture } from './messages';
+import { shadeColour } from './shades';
 
 /** Paints all disks anew: x, y and shade of each; `scale` is in pixels per length. */
 export interface DiskPainter {
@@ -27,7 +28,7 @@ export class GasDrawing {
   private readonly painter: DiskPainter;
   private readonly lines: CanvasRenderingContext2D;
   private scale = 1;
-  private path: Vec[] = [];
+  private path: Vec[];
   private last: Picture | null = null;
 
   constructor(
@@ -35,7 +36,10 @@ export class GasDrawing {
     private readonly overlay: HTMLCanvasElement,
     private readonly box: Made,
     private readonly ink: () => Ink,
+    /** Of the same gas in a box of another size. */
+    before: GasDrawing | null,
   ) {
+    this.path = before?.path ?? [];
     this.painter = WebglDisks.on(canvas, box.kinds, { width: box.room, height: box.height }) ?? new PlainDisks(canvas, box.kinds);
     this.lines = overlay.getContext('2d')!;
     canvas.addEventListener('webglcontextrestored', this.redraw);
@@ -91,6 +95,29 @@ export class GasDrawing {
     return copy;
   }
 
+  /** The disks as shapes; lengths are the scene's. */
+  svg(): string {
+    const { room, height, width, kinds } = this.box;
+    const { ground, line, tag } = this.ink();
+    const disks = this.last?.disks ?? new Float32Array();
+    const parts = [`<rect width="${room}" height="${height}" fill="${ground}" stroke="${line}" stroke-width="0.2"/>`];
+    const circle = (x: number, y: number, radius: number, fill: string): void =>
+      void parts.push(`<circle cx="${x.toFixed(3)}" cy="${(height - y).toFixed(3)}" r="${radius}" fill="${fill}"/>`);
+    for (let k = 0; 3 * k < disks.length; ++k) {
+      circle(disks[3 * k]!, disks[3 * k + 1]!, kinds[2 * k]!, shadeColour(disks[3 * k + 2]!));
+    }
+    if (width < room) parts.push(`<path d="M${width},0V${height}" stroke="${line}" stroke-width="0.4"/>`);
+    if (this.last?.tagged) {
+      const inScene = (pixels: number): string => (pixels / this.scale).toFixed(3);
+      const path = [...this.pathInBox()].map(({ x, y, jumps }) => `${jumps ? 'M' : 'L'}${inScene(x)},${inScene(y)}`);
+      parts.push(`<path d="${path.join('')}" fill="none" stroke="${line}" stroke-width="0.2"/>`);
+      const { x, y } = this.folded(this.last.tagged);
+      circle(x / this.scale, height - y / this.scale, kinds[0]!, tag);
+    }
+    const size = `width="${this.canvas.width}" height="${this.canvas.height}" viewBox="0 0 ${room} ${height}"`;
+    return `<svg xmlns="http://www.w3.org/2000/svg" ${size}>\n${parts.join('\n')}\n</svg>\n`;
+  }
+
   private drawLines(): void {
     const { lines, overlay, scale, box } = this;
     const { line, tag } = this.ink();
@@ -115,16 +142,22 @@ export class GasDrawing {
 
   /** The path is kept unfolded, and drawn in every copy of the box that it passes through. */
   private drawPath(): void {
-    const { lines, path } = this;
+    const { lines } = this;
     lines.beginPath();
-    let last: Vec | null = null;
-    for (const point of path) {
-      const { x, y, turn } = this.folded(point);
-      if (last && last.x === turn.x && last.y === turn.y) lines.lineTo(x, y);
-      else lines.moveTo(x, y);
-      last = turn;
+    for (const { x, y, jumps } of this.pathInBox()) {
+      if (jumps) lines.moveTo(x, y);
+      else lines.lineTo(x, y);
     }
     lines.stroke();
+  }
+
+  private *pathInBox(): Generator<Vec & { jumps: boolean }> {
+    let last: Vec | null = null;
+    for (const point of this.path) {
+      const { x, y, turn } = this.folded(point);
+      yield { x, y, jumps: !last || last.x !== turn.x || last.y !== turn.y };
+      last = turn;
+    }
   }
 
   /** In pixels, in the box, and how often it crossed the box on the way there. */

@@ -69,6 +69,8 @@ export interface Made {
   height: number;
   /** The width that the picture has room for: that of the box, or more if a wall can be taken away. */
   room: number;
+  /** Whether these are the disks of before, in a box of another size. */
+  continues: boolean;
   /** Radius and mass of each disk. */
   kinds: Float64Array;
 }
@@ -76,7 +78,7 @@ export interface Made {
 export type Answer =
   | Picture
   | Made
-  | { kind: 'reversed'; time: number; returnsAt: number }
+  | { kind: 'reversed'; time: number; returnsAt: number | null }
   | { kind: 'returned'; distance: number }
   /** At the moment the wall should stand again; it does if no disk is over it. */
   | { kind: 'wallBack'; over: number }

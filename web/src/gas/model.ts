@@ -40,7 +40,10 @@ export const box = signal<Made | null>(null);
 /** Whether the gas is held in the left half. */
 export const wallStands = signal(false);
 export const measured = signal<Measured | null>(null);
-export const history = signal<{ time: number; h: number; z: number; packing: number }[]>([]);
+/** What was measured, four times a second. */
+export const history = signal<Measured[]>([]);
+/** Measurements that are kept, at most. */
+const longestHistory = 5000;
 export const frameTimes = signal({ work: 0, draw: 0, perSecond: 0 });
 export const limited = signal(false);
 export const said = signal('');
@@ -134,7 +137,8 @@ function hear(answer: Answer): void {
       onPicture(answer);
       break;
     case 'reversed':
-      said.value = words.reversed(shown(answer.time));
+      said.value =
+        answer.returnsAt === null ? words.reversedAgain(shown(answer.time)) : words.reversed(shown(answer.time), shown(answer.returnsAt));
       break;
     case 'returned':
       batch(() => {
@@ -164,7 +168,7 @@ function note(next: Measured): void {
     measured.value = next;
     // The first stretch after a start has no rate yet.
     if (ratesSeen++ > 0) {
-      history.value = [...history.value.slice(-299), { time: next.time, h: next.h, z: next.compressibility, packing: next.packing }];
+      history.value = [...history.value.slice(1 - longestHistory), next];
     }
   });
 }

@@ -10,6 +10,8 @@ import { ask, box, colour, frameTimes, measured, onEveryPicture, pace, parameter
 /** The picture that is on the page; nothing outside the tab. */
 export const gasDrawing = signal<GasDrawing | null>(null);
 
+let latestDrawing: GasDrawing | null = null;
+
 /** Milliseconds between two measurements. */
 const betweenMeasurements = 250;
 
@@ -90,7 +92,8 @@ class Pictures {
 /** Shows the gas on the canvases until the function returned is called. */
 function showGas(canvas: HTMLCanvasElement, overlay: HTMLCanvasElement, made: Made): () => void {
   const stage = canvas.parentElement!.parentElement!;
-  const drawing = new GasDrawing(canvas, overlay, made, ink);
+  const drawing = new GasDrawing(canvas, overlay, made, ink, made.continues ? latestDrawing : null);
+  latestDrawing = drawing;
   const fit = (): void => {
     const { width } = stage.getBoundingClientRect();
     drawing.fit(width, Math.max(260, Math.min(window.innerHeight - 310, width)), Math.min(2, window.devicePixelRatio));

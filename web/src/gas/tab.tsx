@@ -30,6 +30,7 @@ export function GasTab() {
     <main class="lab gas" id="main">
       <h1 class="hidden">{words.gas.heading}</h1>
       <section class="stage" aria-label={words.gas.picture}>
+        <p class="hidden">{words.gas.summary}</p>
         <GasStage />
         <GasTransport />
         <p class="said" role="status" aria-live="polite" id="gas-said">
@@ -113,7 +114,7 @@ function Legend() {
 /** Over the last ten seconds or so, since the box has its size. */
 function meanZ(packing: number): number {
   const since = history.value.slice(-40).filter((point) => point.packing === packing);
-  const values = since.map(({ z }) => z).filter(Number.isFinite);
+  const values = since.map(({ compressibility }) => compressibility).filter(Number.isFinite);
   return values.reduce((sum, z) => sum + z, 0) / values.length;
 }
 

@@ -12,11 +12,13 @@ let kinds = new Float64Array();
 let measurer: Measurer;
 /** Time the engine covers per ms, as last seen. */
 let pace = 0.001;
-/** Where the disks stood at the start, and when they should stand there again. */
-let start = { x: new Float64Array(), y: new Float64Array() };
-let returnsAt = Infinity;
-/** The wall that holds the gas in the left half: where it stands, when it was taken away and should be put back. */
-let wall: { x: number; removedAt: number; backAt: number } | null = null;
+/**
+ * Where the disks stood at the start, and when: each reversal turns that time over into the future, or back into the past.
+ * NaN if the way that the gas is on does not lead there.
+ */
+let start = { x: new Float64Array(), y: new Float64Array(), time: 0 };
+/** The wall that holds the gas in the left half: where it stands, and when it was taken away, turned over likewise. */
+let wall: { x: number; removedAt: number } | null = null;
 /** The disk that is tagged: the one nearest to the middle at the start. */
 let tagged = 0;
 
@@ -25,23 +27,22 @@ const say = (answer: Answer, moved: Transferable[] = []): void =>
 const column = (name: string): Float64Array => engine.view(engine.call(`gas_${name}`), count);
 const time = (): number => engine.call('gas_time');
 
-function made(): void {
+function made(continues: boolean): void {
   const summary = engine.numbers('gas_summary', 12);
   size = { x: summary[9]!, y: summary[10]! };
   kinds = engine.numbers('gas_kinds', 2 * count);
   measurer = new Measurer(kinds, size, summary[11]!, { time: summary[0]!, collisions: summary[1]! });
-  say({ kind: 'made', width: size.x, height: size.y, room: wall ? 2 * wall.x : size.x, kinds });
+  say({ kind: 'made', width: size.x, height: size.y, room: wall ? 2 * wall.x : size.x, kinds, continues });
 }
 
 function make({ toml, equalSpeeds, half }: Request & { kind: 'make' }): void {
   engine.setInput(toml);
   count = engine.tryCall('gas_open', -1);
   if (equalSpeeds) engine.tryCall('gas_equal_speeds', 0);
-  start = { x: column('x').slice(), y: column('y').slice() };
-  returnsAt = Infinity;
+  start = { x: column('x').slice(), y: column('y').slice(), time: 0 };
   pace = 0.001;
-  wall = half ? { x: engine.numbers('gas_summary', 12)[9]!, removedAt: Infinity, backAt: Infinity } : null;
-  made();
+  wall = half ? { x: engine.numbers('gas_summary', 12)[9]!, removedAt: NaN } : null;
+  made(false);
   tagged = nearestToMiddle();
 }
 
@@ -55,38 +56,42 @@ function nearestToMiddle(): number {
 
 /** Goes on by `span`, or as far as it gets in a frame's budget. Returns whether it got there. */
 function advance(span: number): boolean {
-  const end = Math.min(time() + span, ...[returnsAt, wall?.backAt ?? Infinity].filter((moment) => moment > time()));
+  const moments = [start.time, wall?.removedAt ?? NaN].filter((moment) => moment > time());
+  const end = Math.min(time() + span, ...moments);
   const begin = performance.now();
   let spent = 0;
-  while (time() < end && spent < frameBudget) {
+  let arrived = false;
+  while (!arrived && spent < frameBudget) {
     const from = time();
     const chunk = Math.max(pace * (frameBudget - spent) * 0.5, 1e-9 * (1 + from));
     const before = performance.now();
     engine.tryCall('gas_run_until', 0, Math.min(end, from + chunk));
     const now = performance.now();
-    if (time() === from) break; // the rest is less than a tick of the clock
-    pace = Math.min(1e6, ((time() - from) / Math.max(0.05, now - before)) * 0.7 + pace * 0.3);
     spent = now - begin;
+    arrived = time() >= end || time() === from; // what is left may be less than a tick of the clock
+    if (time() > from) pace = Math.min(1e6, ((time() - from) / Math.max(0.05, now - before)) * 0.7 + pace * 0.3);
   }
-  if (time() === wall?.backAt) putBack(wall);
-  if (time() === returnsAt) {
-    returnsAt = Infinity;
-    say({ kind: 'returned', distance: distanceFromStart() });
-  }
-  return spent < frameBudget;
+  if (moments.includes(time())) arriveAtMoment();
+  return arrived;
+}
+
+/** On its way back the gas is where the wall was taken away, or where it started. */
+function arriveAtMoment(): void {
+  if (wall && time() === wall.removedAt) putBack(wall);
+  if (time() === start.time) say({ kind: 'returned', distance: distanceFromStart() });
 }
 
 /** To the other size of the box at this moment; all disks go on as they are. */
 function resize(width: number): void {
   engine.tryCall('gas_resize', 0, width, size.y);
-  made();
+  made(true);
 }
 
 function removeWall(): void {
-  if (!wall || wall.removedAt < Infinity) return;
+  if (!wall || size.x > wall.x) return;
   wall.removedAt = time();
   // A gas on its way back has another way from here on.
-  returnsAt = Infinity;
+  if (start.time > time()) start.time = NaN;
   resize(2 * wall.x);
 }
 
@@ -95,18 +100,17 @@ function putBack(from: NonNullable<typeof wall>): void {
   const x = column('x');
   let over = 0;
   for (let k = 0; k < count; ++k) if (x[k]! + kinds[2 * k]! > from.x * (1 + 1e-12)) ++over;
-  wall = { x: from.x, removedAt: over > 0 ? from.removedAt : Infinity, backAt: Infinity };
-  if (over > 0) returnsAt = Infinity;
+  wall = { x: from.x, removedAt: NaN };
+  if (over > 0) start.time = NaN;
   else resize(from.x);
   say({ kind: 'wallBack', over });
 }
 
 function reverse(): void {
   engine.tryCall('gas_reverse', 0);
-  const back = returnsAt < Infinity;
-  returnsAt = back ? Infinity : 2 * time();
-  if (wall && wall.removedAt < Infinity) wall.backAt = back ? Infinity : 2 * time() - wall.removedAt;
-  say({ kind: 'reversed', time: time(), returnsAt });
+  start.time = 2 * time() - start.time;
+  if (wall) wall.removedAt = 2 * time() - wall.removedAt;
+  say({ kind: 'reversed', time: time(), returnsAt: start.time > time() ? start.time : null });
 }
 
 /** Share of the disks left of where the wall stands or stood. */

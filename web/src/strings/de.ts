@@ -144,6 +144,8 @@ export const de: Strings = {
   gas: {
     heading: 'Ein Gas harter Scheiben',
     picture: 'Das Gas',
+    summary:
+      'Das Bild zeigt ein Gas harter Scheiben; darunter sind die Knöpfe, die es laufen lassen und umkehren, und was gemessen wird. Die Bedienfelder daneben bestimmen, woraus es besteht; Diagramme darunter zeigen Tempo, Boltzmanns H und Druck. Die Leertaste lässt es laufen.',
     start: 'Neues Gas',
     number: 'Scheiben',
     packing: 'Packungsanteil η',
@@ -181,7 +183,8 @@ export const de: Strings = {
     hNote: 'Gestrichelt: sein kleinster Wert, der von Maxwells Verteilung.',
     pressure: 'Z = βP/ρ',
     pressureNote: 'Gestrichelt: Kolafa und Rottner (2006), für eine Art Scheiben ohne Wände.',
-    reversed: (t) => `Zur Zeit ${t} wurden alle Geschwindigkeiten umgekehrt. Wenn das Gas sich erinnert, steht es wie am Anfang, sobald noch einmal so viel Zeit vergangen ist.`,
+    reversed: (t, at) => `Zur Zeit ${t} wurden alle Geschwindigkeiten umgekehrt. Wenn das Gas sich erinnert, steht es zur Zeit ${at} wie am Anfang.`,
+    reversedAgain: (t) => `Zur Zeit ${t} wurden alle Geschwindigkeiten umgekehrt.`,
     returned: (distance) => `Jetzt sollte es stehen wie am Anfang. Mittlerer quadratischer Abstand davon: ${distance} Durchmesser.`,
     remembers: 'Es erinnert sich.',
     forgot: 'Es hat vergessen: Das Chaos hat die Rundung bis zur Größe der Scheiben aufgebläht.',
@@ -202,6 +205,7 @@ export const de: Strings = {
     png: 'Bild als PNG speichern',
     svg: 'Bild als SVG speichern',
     csv: 'Berührungen als CSV speichern',
+    csvOfGas: 'Messungen als CSV speichern',
     drop: 'Eine Szene kann auch auf die Seite gezogen werden. Es ist dasselbe TOML, das „carom run“ liest.',
     opened: (name) => `${name} ist geöffnet.`,
     noBox: 'Ein Gas braucht einen Kasten mit einer Größe, um gezeichnet zu werden.',

@@ -143,6 +143,8 @@ export const en = {
   gas: {
     heading: 'A gas of hard disks',
     picture: 'The gas',
+    summary:
+      'The picture shows a gas of hard disks; under it are the buttons that play it and turn it round, and what is measured. The controls beside it choose what it is made of; charts below them show speeds, Boltzmann’s H and pressure. Press Space to play.',
     start: 'New gas',
     number: 'Disks',
     packing: 'Packing fraction η',
@@ -180,7 +182,8 @@ export const en = {
     hNote: 'Dashed: its least value, that of Maxwell’s distribution.',
     pressure: 'Z = βP/ρ',
     pressureNote: 'Dashed: Kolafa and Rottner (2006), for one kind of disks without walls.',
-    reversed: (t: string) => `All velocities were turned round at time ${t}. If the gas remembers, it will stand as at the start when as much time has passed again.`,
+    reversed: (t: string, at: string) => `All velocities were turned round at time ${t}. If the gas remembers, it will stand as at the start at time ${at}.`,
+    reversedAgain: (t: string) => `All velocities were turned round at time ${t}.`,
     returned: (distance: string) => `Now it should stand as at the start. Root mean square distance from there: ${distance} diameters.`,
     remembers: 'It remembers.',
     forgot: 'It has forgotten: chaos has blown rounding up to the size of the disks.',
@@ -201,6 +204,7 @@ export const en = {
     png: 'Save the picture as PNG',
     svg: 'Save the picture as SVG',
     csv: 'Save the contacts as CSV',
+    csvOfGas: 'Save the measurements as CSV',
     drop: 'A scene file can also be dropped on the page. It is the same TOML that “carom run” reads.',
     opened: (name: string) => `Opened ${name}.`,
     noBox: 'A gas needs a box with a size to be drawn in.',

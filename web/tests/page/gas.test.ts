@@ -41,6 +41,16 @@ describe('gas', () => {
     await page.click('#gas-play');
     await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('should stand'), undefined, { timeout: 60000 });
     expect(await page.textContent('#gas-said')).toContain('It remembers.');
+    // On beyond the start, turned round there, and back at the start once more; turned round twice it goes no way back.
+    const met = await reading('time');
+    await page.click('#gas-play');
+    await expect.poll(() => reading('time'), { timeout: 60000 }).toBeGreaterThan(met + 0.3);
+    await page.click('#gas-reverse');
+    await page.click('#gas-reverse');
+    await page.waitForFunction(() => !document.querySelector('#gas-said')!.textContent!.includes('as at the start'));
+    await page.click('#gas-reverse');
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('It remembers.'), undefined, { timeout: 60000 });
+    expect(await reading('drift')).toBeLessThan(1e-12);
   });
   it('takes every parameter, and says what cannot be', async () => {
     await page.fill('#gas-number', '50');
@@ -53,7 +63,7 @@ describe('gas', () => {
     await expect.poll(() => reading('collisions'), { timeout: 60000 }).toBeGreaterThan(0);
     await page.fill('#gas-packing', '0.8');
     await page.keyboard.press('Enter');
-    await page.click('summary');
+    await page.click('#gas-mixture');
     await page.fill('#gas-fraction', '0.5');
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('packing fraction'), undefined, { timeout: 20000 });
@@ -77,6 +87,76 @@ describe('gas', () => {
     await page.click('#open-share');
     await page.click('#copy-link');
     await page.waitForFunction(() => location.hash.includes('boundary=half'));
+  });
+});
+
+describe('its controls', () => {
+  /** What the address says of the gas. */
+  async function address(): Promise<Record<string, string>> {
+    await page.click('#open-share');
+    await page.click('#copy-link');
+    await page.waitForFunction(() => location.hash.startsWith('#gas'));
+    return Object.fromEntries(new URL(page.url()).hash.split('&').slice(1).map((part) => part.split('=')));
+  }
+  it('are worked by keyboard, and the address keeps them', async () => {
+    await page.waitForSelector('#gas-time');
+    await page.focus('#gas-mixture');
+    await page.keyboard.press('Enter');
+    for (const [id, typed] of [['number', '150'], ['packing', '0.2'], ['temperature', '2'], ['restitution', '0.9'], ['fraction', '0.4'], ['radiusRatio', '1.5'], ['massRatio', '3'], ['seed', '7']] as const) {
+      await page.focus(`#gas-${id}`);
+      await page.keyboard.type(typed);
+      await page.keyboard.press('Enter');
+    }
+    await page.keyboard.press('ArrowUp');
+    for (const id of ['boundary', 'speeds', 'colour']) {
+      await page.focus(`#gas-${id}`);
+      await page.keyboard.press('ArrowDown');
+    }
+    await page.focus('#gas-tag');
+    await page.keyboard.press(' ');
+    await page.focus('#pace');
+    await page.keyboard.press('Home');
+    expect(await page.getAttribute('#pace', 'aria-valuetext')).toContain('0.01');
+    await expect.poll(() => reading('kT'), { timeout: 20000 }).toBeGreaterThan(1.7);
+    const said = { number: '150', packing: '0.2', temperature: '2', boundary: 'reflecting', restitution: '0.9', fraction: '0.4', radiusRatio: '1.5', massRatio: '3', speeds: 'maxwell', seed: '8', pace: '0.01', colour: 'kind', tag: '1' };
+    expect(await address()).toEqual(said);
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+    await page.keyboard.press(' ');
+    await expect.poll(() => reading('time'), { timeout: 20000 }).toBeGreaterThan(0);
+    await page.focus('#gas-new');
+    await page.keyboard.press('Enter');
+    await page.focus('#gas-reverse');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('turned round'));
+    await page.reload();
+    await page.waitForSelector('#gas-time');
+    expect(await page.inputValue('#gas-massRatio')).toBe('3');
+    expect(await page.inputValue('#gas-colour')).toBe('kind');
+    expect(await page.isChecked('#gas-tag')).toBe(true);
+  });
+  it('are worked by mouse', async () => {
+    await page.waitForSelector('#gas-time');
+    const track = (await page.locator('#pace').boundingBox())!;
+    await page.mouse.click(track.x + track.width - 3, track.y + track.height / 2);
+    expect(await page.getAttribute('#pace', 'aria-valuetext')).toContain('1000');
+    await page.click('#gas-play');
+    await expect.poll(() => reading('time'), { timeout: 20000 }).toBeGreaterThan(1);
+    await page.click('#gas-play');
+    await page.click('#gas-new');
+    await expect.poll(() => reading('time'), { timeout: 20000 }).toBe(0);
+    await page.click('#gas-tag');
+    expect(await page.isChecked('#gas-tag')).toBe(true);
+    await page.click('#gas-mixture');
+    await page.fill('#gas-seed', '12');
+    await page.click('#gas-play');
+    await page.click('#gas-play');
+    expect(await address()).toMatchObject({ seed: '12', tag: '1', pace: '1000' });
+  });
+  it('charts tell the value under the pointer', async () => {
+    await page.waitForSelector('.plot canvas');
+    await page.locator('.plot').first().hover();
+    await expect.poll(() => page.locator('.reading').first().textContent()).toMatch(/^v \d\.\d+, f \d/);
+    expect(await page.locator('.plot').first().getAttribute('aria-label')).toContain('Maxwell');
   });
 });
 
@@ -134,6 +214,29 @@ describe('its picture', () => {
       await opened.context.close();
     });
   }
+  it('is saved as shapes, and its measurements as a table', async () => {
+    await page.check('#gas-tag');
+    await page.click('#gas-play');
+    await expect.poll(() => page.locator('.plot').nth(1).getAttribute('aria-label'), { timeout: 20000 }).toMatch(/H: −\d/);
+    await page.click('#gas-play');
+    await page.click('#open-share');
+    const text = async (button: string, name: string): Promise<string> => {
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+      expect(download.suggestedFilename()).toBe(name);
+      await download.saveAs(join(folder, name));
+      return readFileSync(join(folder, name), 'utf8');
+    };
+    const svg = await text('#save-svg', 'gas.svg');
+    expect(svg.match(/<circle /g)!.length).toBe(201);
+    expect(svg).toMatch(/<path d="M[\d.]+,[\d.]+L/);
+    const [header, ...rows] = (await text('#save-csv', 'gas.csv')).trim().split('\n');
+    expect(header).toBe('time,collisions,collisions_per_disk_and_time,kT,Z,H,psi6,packing_fraction,energy_drift');
+    expect(rows.length).toBeGreaterThan(0);
+    for (const row of rows) {
+      expect(Number(row.split(',')[3])).toBeCloseTo(1, 2);
+      expect(Number(row.split(',')[7])).toBeCloseTo(0.1, 9);
+    }
+  });
   it('is printed, in a dark theme too', async () => {
     const opened = await open(lab.browser, `${lab.address}#gas&number=200&packing=0.3&seed=3`, { dark: true });
     page = opened.page;
