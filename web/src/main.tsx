@@ -6,10 +6,12 @@ import { Engine } from './engine/module';
 import { startLab } from './lab/model';
 import { strings } from './strings';
 import { App } from './ui/app';
+import { startTheme } from './ui/theme';
 import { startGas } from './gas/model';
 import { openAddress } from './share/address';
 
 async function start(): Promise<void> {
+  startTheme();
   const place = document.getElementById('app')!;
   try {
     const module = await loadModule();

@@ -35,22 +35,33 @@ export function serve(folder = pageFolder): Promise<{ server: Server; address: s
 
 export function launch(): Promise<Browser> {
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-  const args = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+  const args = ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
   return chromium.launch({ executablePath, args, headless: true });
 }
 
+/** For browsers that have no WebGL. */
+const withoutWebgl = `
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    return kind.startsWith('webgl') ? null : getContext.call(this, kind, ...rest);
+  };`;
+
 /** A page that notes every error and every request that leaves it. */
-export async function open(browser: Browser, address: string, options: { width?: number; height?: number; locale?: string; dark?: boolean } = {}) {
+export async function open(browser: Browser, address: string, options: { width?: number; height?: number; locale?: string; dark?: boolean; webgl?: boolean; reducedMotion?: boolean } = {}) {
   const context = await browser.newContext({
     viewport: { width: options.width ?? 1280, height: options.height ?? 900 },
     locale: options.locale ?? 'en-GB',
     colorScheme: options.dark ? 'dark' : 'light',
+    reducedMotion: options.reducedMotion ? 'reduce' : 'no-preference',
     acceptDownloads: true,
   });
+  if (options.webgl === false) await context.addInitScript(withoutWebgl);
   const page = await context.newPage();
   const troubles: string[] = [];
   page.on('console', (message) => {
-    if (message.type() === 'error' || message.type() === 'warning') troubles.push(message.text());
+    // Without a graphics card the browser reads WebGL's pictures back itself, and complains of it.
+    const itsOwn = message.text().includes('GL Driver Message');
+    if ((message.type() === 'error' || message.type() === 'warning') && !itsOwn) troubles.push(message.text());
   });
   page.on('pageerror', (error) => troubles.push(String(error)));
   page.on('request', (request) => {

@@ -1,14 +1,15 @@
 // Property: the page's own small parts: places without overlap, addresses that come back, theory of the cited values.
 import { describe, expect, it } from 'vitest';
 import { broken, membersOf } from '../src/derivation/formula';
-import { ticks } from '../src/gas/charts';
+import { roomy, speedColumns } from '../src/gas/charts';
 import { maxwellShare } from '../src/gas/measure';
 import { defaults, gasToml } from '../src/gas/model';
 import { collisionRateOf, compressibilityOf } from '../src/gas/theory';
 import { fits, placed } from '../src/lab/placing';
 import { presets } from '../src/lab/presets';
 import { direction } from '../src/lab/sentences';
-import { gasHash, gasOf, labHash, labOf } from '../src/share/address';
+import { labHash, labOf } from '../src/share/address';
+import { gasHash, gasOf, gasViewOf, usualGasView } from '../src/share/gas-address';
 import { startEngine } from './engine';
 
 const engine = await startEngine();
@@ -31,16 +32,21 @@ describe('addresses', () => {
   for (const preset of presets) {
     it(`give the set-up back: ${preset.name}`, () => {
       const setup = { ...preset.make(engine), preset: preset.name };
-      const show = new Set(['velocity', 'paths'] as const);
-      const back = labOf(labHash(setup, show))!;
+      const show = new Set(['velocity', 'change', 'paths', 'scale'] as const);
+      const view = { show, constantSize: false, time: 0, contact: 3, slow: true, pauseAtContact: false, panel: 'derivation' as const, step: 4 };
+      const back = labOf(labHash(setup, view))!;
       expect(back.setup.disks).toEqual(setup.disks);
       expect(back.setup).toMatchObject({ width: setup.width, height: setup.height, boundary: setup.boundary, restitution: setup.restitution });
-      expect(back.show).toEqual(show);
+      expect(back.view).toEqual(view);
+      expect(labOf(labHash(setup, { ...view, time: 1.25, contact: 0 }))!.view).toMatchObject({ time: 1.25, contact: 0 });
     });
   }
   it('of a gas', () => {
-    const gas = { ...defaults, number: 5000, boundary: 'reflecting' as const, seed: 9 };
-    expect(gasOf(gasHash(gas))).toEqual(gas);
+    const gas = { ...defaults, number: 5000, boundary: 'half' as const, seed: 9 };
+    const view = { pace: 0.1, colour: 'order' as const, tag: true };
+    expect(gasOf(gasHash(gas, view))).toEqual(gas);
+    expect(gasViewOf(gasHash(gas, view))).toEqual(view);
+    expect(gasViewOf(gasHash(gas))).toEqual(usualGasView);
   });
   it('that are broken are refused', () => {
     for (const hash of ['#lab', '#lab&box=8,5,rr', '#lab&box=8,5,rr&disks=1,2', '#lab&box=a,5,rr&disks=1,2,3,4,5,6']) {
@@ -82,12 +88,20 @@ describe('gas', () => {
 });
 
 describe('details', () => {
-  it('ticks lie within', () => {
-    for (const [low, high] of [[0, 1], [-3.1, 2.2], [1e-3, 2e-3]] as const) {
-      const marks = ticks(low, high);
-      expect(marks.length).toBeGreaterThan(1);
-      expect(marks.every((mark) => mark >= low - 1e-12 && mark <= high + 1e-12)).toBe(true);
+  it('charts have room around what they show, also for nothing and for one value', () => {
+    for (const [least, most] of [[0, 1], [-3.1, 2.2], [2, 2], [0, 0]] as const) {
+      const [low, high] = roomy(least, most);
+      expect(low).toBeLessThan(least);
+      expect(high).toBeGreaterThan(most);
     }
+    expect(roomy(null, null)).toEqual([0, 1]);
+  });
+  it('the histogram and Maxwell’s line are densities: they sum to one over the speeds', () => {
+    const histogram = new Float64Array(32).fill(1 / 32);
+    const [speeds, densities, theory] = speedColumns({ histogram, binWidth: 0.25 }) as number[][];
+    expect(speeds![0]).toBeCloseTo(0.125, 12);
+    expect(densities!.reduce((sum, f) => sum + 0.25 * f, 0)).toBeCloseTo(1, 12);
+    expect(theory!.reduce((sum, f) => sum + 0.25 * f, 0)).toBeCloseTo(1 - Math.exp(-8), 12);
   });
   it('directions', () => expect([{ x: 1, y: 0 }, { x: 0, y: 1 }, { x: -1, y: 0 }, { x: 1, y: -1 }].map(direction)).toEqual([0, 2, 4, 7]));
   it('chains of equations break at their relations only', () => {

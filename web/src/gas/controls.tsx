@@ -2,7 +2,7 @@
 import { strings } from '../strings';
 import { NumberField } from '../ui/number-field';
 import type { Colour, GasParameters } from './messages';
-import { ask, change, colour, limits, parameters, said, tagging } from './model';
+import { ask, change, colour, limits, parameters, said, tagging, wallStands } from './model';
 
 interface RowProps {
   name: keyof typeof limits;
@@ -59,7 +59,7 @@ export function GasControls() {
         <Choice id="gas-speeds" label={words.speeds} value={p.speeds} names={words.startSpeeds} choose={(speeds) => change({ speeds })} />
         <Row name="restitution" step={0.05} />
         <details>
-          <summary>{words.mixture}</summary>
+          <summary id="gas-mixture">{words.mixture}</summary>
           <Row name="fraction" step={0.1} />
           <Row name="radiusRatio" step={0.1} />
           <Row name="massRatio" step={0.5} />
@@ -73,8 +73,8 @@ export function GasControls() {
           <input type="checkbox" id="gas-tag" checked={tagging.value} onChange={() => (tagging.value = !tagging.value)} />
           <span>{words.tag}</span>
         </label>
-        {p.boundary === 'reflecting' && (
-          <button type="button" id="gas-remove-wall" onClick={removeWall}>
+        {p.boundary === 'half' && (
+          <button type="button" id="gas-remove-wall" aria-disabled={!wallStands.value} onClick={removeWall}>
             {words.removeWall}
           </button>
         )}
@@ -84,6 +84,7 @@ export function GasControls() {
 }
 
 function removeWall(): void {
+  if (!wallStands.value) return;
   ask({ kind: 'removeWall' });
   said.value = strings.value.gas.expanded;
 }

@@ -7,13 +7,14 @@ const bins = 32;
 export class Measurer {
   private readonly meanMass: number;
   private readonly density: number;
-  private last = { time: 0, collisions: 0 };
   private kT = 1;
 
   constructor(
     private readonly kinds: Float64Array,
     size: { x: number; y: number },
     readonly restitution: number,
+    /** Where rates are counted from. */
+    private last: { time: number; collisions: number },
   ) {
     const count = kinds.length / 2;
     this.meanMass = kinds.filter((_, k) => k % 2 === 1).reduce((sum, mass) => sum + mass, 0) / count;
@@ -57,7 +58,7 @@ export class Measurer {
     const binWidth = (4 * this.thermalSpeed) / bins;
     const histogram = new Float64Array(bins);
     for (let k = 0; k < vx.length; ++k) {
-      const speed = Math.hypot(vx[k]!, vy[k]!) * Math.sqrt(this.kinds[2 * k + 1]! / this.meanMass);
+      const speed = Math.sqrt(vx[k]! * vx[k]! + vy[k]! * vy[k]!) * Math.sqrt(this.kinds[2 * k + 1]! / this.meanMass);
       const bin = Math.floor(speed / binWidth);
       if (bin < bins) histogram[bin]! += 1 / vx.length;
     }
@@ -70,7 +71,7 @@ export class Measurer {
     const width = 5 / cells;
     const shares = new Float64Array(cells + 1);
     for (let k = 0; k < vx.length; ++k) {
-      const speed = Math.hypot(vx[k]!, vy[k]!) * Math.sqrt(this.kinds[2 * k + 1]! / Math.max(this.kT, 1e-12));
+      const speed = Math.sqrt(vx[k]! * vx[k]! + vy[k]! * vy[k]!) * Math.sqrt(this.kinds[2 * k + 1]! / Math.max(this.kT, 1e-12));
       shares[Math.min(cells, Math.floor(speed / width))]! += 1 / vx.length;
     }
     return shares.reduce((sum, p, k) => (p > 0 ? sum + p * Math.log(p / (Math.PI * width * width * (2 * k + 1))) : sum), 0);

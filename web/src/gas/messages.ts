@@ -5,7 +5,8 @@ export interface GasParameters {
   number: number;
   packing: number;
   temperature: number;
-  boundary: 'periodic' | 'reflecting';
+  /** "half": walls, and the gas in the left half of them until the wall between is taken away. */
+  boundary: 'periodic' | 'reflecting' | 'half';
   restitution: number;
   fraction: number;
   radiusRatio: number;
@@ -16,7 +17,7 @@ export interface GasParameters {
 
 export type Request =
   | { kind: 'start'; module: WebAssembly.Module }
-  | { kind: 'make'; toml: string; equalSpeeds: boolean }
+  | { kind: 'make'; toml: string; equalSpeeds: boolean; half: boolean }
   | { kind: 'advance'; time: number; colour: Colour; tag: boolean; measure: boolean }
   | { kind: 'reverse' }
   | { kind: 'removeWall' }
@@ -31,7 +32,7 @@ export interface Picture {
   time: number;
   /** What was asked for took longer than a frame may. */
   limited: boolean;
-  /** Of the engine's work for this frame (ms). */
+  /** Of the worker's work for this picture (ms). */
   work: number;
   measured: Measured | null;
 }
@@ -53,6 +54,8 @@ export interface Measured {
   compressibility: number;
   density: number;
   order: number;
+  /** Share of the disks in the left half, where there was a wall. */
+  inHalf?: number;
   /** Share of disks per bin of speed, in units of bins of `binWidth`. */
   histogram: Float64Array;
   binWidth: number;
@@ -64,6 +67,10 @@ export interface Made {
   kind: 'made';
   width: number;
   height: number;
+  /** The width that the picture has room for: that of the box, or more if a wall can be taken away. */
+  room: number;
+  /** Whether these are the disks of before, in a box of another size. */
+  continues: boolean;
   /** Radius and mass of each disk. */
   kinds: Float64Array;
 }
@@ -71,7 +78,9 @@ export interface Made {
 export type Answer =
   | Picture
   | Made
-  | { kind: 'reversed'; time: number; returnsAt: number }
+  | { kind: 'reversed'; time: number; returnsAt: number | null }
   | { kind: 'returned'; distance: number }
+  /** At the moment the wall should stand again; it does if no disk is over it. */
+  | { kind: 'wallBack'; over: number }
   | { kind: 'saved'; toml: string }
   | { kind: 'error'; message: string };

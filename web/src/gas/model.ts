@@ -37,8 +37,13 @@ export const pace = signal(1);
 export const colour = signal<Colour>('speed');
 export const tagging = signal(false);
 export const box = signal<Made | null>(null);
+/** Whether the gas is held in the left half. */
+export const wallStands = signal(false);
 export const measured = signal<Measured | null>(null);
-export const history = signal<{ time: number; h: number; z: number }[]>([]);
+/** What was measured, four times a second. */
+export const history = signal<Measured[]>([]);
+/** Measurements that are kept, at most. */
+const longestHistory = 5000;
 export const frameTimes = signal({ work: 0, draw: 0, perSecond: 0 });
 export const limited = signal(false);
 export const said = signal('');
@@ -77,7 +82,7 @@ export function gasToml(p: GasParameters): string {
     { count: second, radius: 0.5 * p.radiusRatio, mass: p.massRatio },
   ].filter(({ count }) => count > 0);
   const area = kinds.reduce((sum, { count, radius }) => sum + count * radius * radius, 0);
-  const lines = ['[box]', `boundary = "${p.boundary}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
+  const lines = ['[box]', `boundary = "${p.boundary === 'half' ? 'reflecting' : p.boundary}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
   for (const { count, radius, mass } of kinds) {
     const share = (count * radius * radius) / area;
     lines.push('', '[[gas]]', `count = ${count}`, `packing_fraction = ${tomlNumber(p.packing * share)}`);
@@ -96,8 +101,14 @@ export function makeGas(): void {
     said.value = '';
   });
   ratesSeen = 0;
-  const toml = opened.value ?? gasToml(parameters.value);
-  ask({ kind: 'make', toml, equalSpeeds: opened.value === null && parameters.value.speeds === 'equal' });
+  const made = opened.value === null;
+  const { speeds, boundary } = parameters.value;
+  ask({
+    kind: 'make',
+    toml: opened.value ?? gasToml(parameters.value),
+    equalSpeeds: made && speeds === 'equal',
+    half: made && boundary === 'half',
+  });
   ask({ kind: 'advance', time: 0, colour: colour.value, tag: tagging.value, measure: true });
 }
 
@@ -118,6 +129,7 @@ function hear(answer: Answer): void {
   switch (answer.kind) {
     case 'made':
       box.value = answer;
+      wallStands.value = answer.width < answer.room;
       break;
     case 'picture':
       limited.value = answer.limited;
@@ -125,7 +137,8 @@ function hear(answer: Answer): void {
       onPicture(answer);
       break;
     case 'reversed':
-      said.value = words.reversed(shown(answer.time));
+      said.value =
+        answer.returnsAt === null ? words.reversedAgain(shown(answer.time)) : words.reversed(shown(answer.time), shown(answer.returnsAt));
       break;
     case 'returned':
       batch(() => {
@@ -133,6 +146,10 @@ function hear(answer: Answer): void {
         const far = answer.distance > 0.1;
         said.value = `${words.returned(answer.distance.toExponential(1))} ${far ? words.forgot : words.remembers}`;
       });
+      break;
+    case 'wallBack':
+      said.value = answer.over === 0 ? words.wallBack : words.wallNotBack(answer.over);
+      if (answer.over > 0) running.value = false;
       break;
     case 'saved':
       onSaved(answer.toml);
@@ -151,7 +168,7 @@ function note(next: Measured): void {
     measured.value = next;
     // The first stretch after a start has no rate yet.
     if (ratesSeen++ > 0) {
-      history.value = [...history.value.slice(-299), { time: next.time, h: next.h, z: next.compressibility }];
+      history.value = [...history.value.slice(1 - longestHistory), next];
     }
   });
 }

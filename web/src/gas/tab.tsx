@@ -1,92 +1,16 @@
 // The tab "Gas".
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import { counted, shown, strings } from '../strings';
 import { Icon } from '../ui/icon';
 import { HChart, PressureChart, SpeedChart } from './charts';
 import { GasControls } from './controls';
-import { GasDrawing, shadeColour } from './draw';
-import type { Picture } from './messages';
-import { ask, box, colour, frameTimes, history, limited, makeGas, measured, onEveryPicture, pace, parameters, running, said, tagging } from './model';
+import { ask, box, colour, frameTimes, history, limited, makeGas, measured, pace, parameters, running, said } from './model';
+import { shadeColour } from './shades';
+import { GasStage } from './stage';
 import { collisionRateOf, compressibilityOf } from './theory';
-
-/** Pictures are asked for one at a time, as often as the screen shows them; numbers four times a second. */
-function useGas(canvas: { current: HTMLCanvasElement | null }, stage: { current: HTMLElement | null }): void {
-  useEffect(() => {
-    if (!box.value) return;
-    const ink = (): { path: string; tag: string } => {
-      const style = getComputedStyle(document.documentElement);
-      return { path: style.getPropertyValue('--ink'), tag: style.getPropertyValue('--impulse') };
-    };
-    const drawing = new GasDrawing(canvas.current!, box.value, ink);
-    const fit = (): void => {
-      const { width } = stage.current!.getBoundingClientRect();
-      drawing.fit(width, Math.max(260, Math.min(window.innerHeight - 310, width)), Math.min(2, window.devicePixelRatio));
-    };
-    let waiting = true;
-    let last = performance.now();
-    let lastMeasured = last;
-    let frames = { count: 0, since: last, work: 0, draw: 0 };
-    const request = (seconds: number, measure: boolean): void => {
-      waiting = true;
-      ask({ kind: 'advance', time: seconds * pace.value, colour: colour.value, tag: tagging.value, measure });
-    };
-    let latest: Picture | null = null;
-    onEveryPicture((picture) => {
-      waiting = false;
-      latest = picture;
-    });
-    const draw = (): void => {
-      if (!latest) return;
-      fit();
-      const before = performance.now();
-      drawing.draw(latest);
-      frames.draw += performance.now() - before;
-      frames.work += latest.work;
-      ++frames.count;
-      latest = null;
-    };
-    // While one picture is drawn, the worker is at the next.
-    const advance = (now: number): void => {
-      const changed = asked !== colour.value || tagged !== tagging.value;
-      if (waiting || (!running.value && !changed)) {
-        if (!running.value) last = now;
-        return;
-      }
-      [asked, tagged] = [colour.value, tagging.value];
-      const measure = running.value && now - lastMeasured > 250;
-      if (measure) lastMeasured = now;
-      request(running.value ? Math.min(0.1, (now - last) / 1000) : 0, measure);
-      last = now;
-    };
-    request(0, false);
-    let asked = colour.value;
-    let tagged = tagging.value;
-    let frame = requestAnimationFrame(function tick(now: number) {
-      frame = requestAnimationFrame(tick);
-      if (now - frames.since > 500 && frames.count > 0) {
-        const { count, work, draw, since } = frames;
-        frameTimes.value = { work: work / count, draw: draw / count, perSecond: (1000 * count) / (now - since) };
-        frames = { count: 0, since: now, work: 0, draw: 0 };
-      }
-      if (!waiting) advance(now);
-      draw();
-    });
-    const resize = new ResizeObserver(() => {
-      if (!waiting) request(0, false);
-    });
-    resize.observe(stage.current!);
-    return () => {
-      cancelAnimationFrame(frame);
-      resize.disconnect();
-      onEveryPicture(() => undefined);
-    };
-  }, [box.value]);
-}
 
 export function GasTab() {
   const words = strings.value;
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const stage = useRef<HTMLDivElement>(null);
   useEffect(() => {
     if (!box.value) makeGas();
     const onKey = (event: KeyboardEvent): void => {
@@ -101,21 +25,13 @@ export function GasTab() {
       running.value = false;
     };
   }, []);
-  useGas(canvas, stage);
   const now = measured.value;
   return (
     <main class="lab gas" id="main">
       <h1 class="hidden">{words.gas.heading}</h1>
       <section class="stage" aria-label={words.gas.picture}>
-        <div class="gas-stage" ref={stage}>
-          <canvas
-            id="gas-picture"
-            ref={canvas}
-            class={parameters.value.boundary === 'reflecting' ? 'walled' : ''}
-            role="img"
-            aria-label={now ? `${words.gas.picture}. ${words.gas.summaryIs(shown(now.time), counted(now.collisions))}` : words.gas.picture}
-          />
-        </div>
+        <p class="hidden">{words.gas.summary}</p>
+        <GasStage />
         <GasTransport />
         <p class="said" role="status" aria-live="polite" id="gas-said">
           {said.value}
@@ -195,9 +111,10 @@ function Legend() {
   );
 }
 
-/** Over the last ten seconds or so. */
-function meanZ(): number {
-  const values = history.value.slice(-40).map(({ z }) => z).filter(Number.isFinite);
+/** Over the last ten seconds or so, since the box has its size. */
+function meanZ(packing: number): number {
+  const since = history.value.slice(-40).filter((point) => point.packing === packing);
+  const values = since.map(({ compressibility }) => compressibility).filter(Number.isFinite);
   return values.reduce((sum, z) => sum + z, 0) / values.length;
 }
 
@@ -213,11 +130,12 @@ function Readings() {
     ['time', words.time, shown(now.time, 2)],
     ['collisions', words.collisions, counted(now.collisions)],
     ['rate', words.rate, shown(now.rate, 3) + theory(rate)],
-    ['z', words.compressibility, shown(meanZ(), 3) + theory(z)],
+    ['z', words.compressibility, shown(meanZ(now.packing), 3) + theory(z)],
     ['kT', words.kT, shown(now.kT, 4)],
     ['drift', words.drift, now.drift.toExponential(1).replace('-', '−').replace('e-', 'e−')],
     ['order', words.order, shown(now.order, 3)],
-    ['frame', words.frame, words.frameIs(shown(frameTimes.value.work + frameTimes.value.draw, 1), shown(frameTimes.value.perSecond, 0))],
+    ...(now.inHalf === undefined ? [] : [['half', words.inHalf, words.percent(shown(100 * now.inHalf, 1))] as [string, string, string]]),
+    ['frame', words.frame, words.frameIs(shown(frameTimes.value.work, 1), shown(frameTimes.value.draw, 1), shown(frameTimes.value.perSecond, 0))],
   ];
   return (
     <dl class="readings">

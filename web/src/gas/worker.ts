@@ -12,9 +12,13 @@ let kinds = new Float64Array();
 let measurer: Measurer;
 /** Time the engine covers per ms, as last seen. */
 let pace = 0.001;
-/** Where the disks stood at the start, and when they should stand there again. */
-let start: { x: Float64Array; y: Float64Array } | null = null;
-let returnsAt = Infinity;
+/**
+ * Where the disks stood at the start, and when: each reversal turns that time over into the future, or back into the past.
+ * NaN if the way that the gas is on does not lead there.
+ */
+let start = { x: new Float64Array(), y: new Float64Array(), time: 0 };
+/** The wall that holds the gas in the left half: where it stands, and when it was taken away, turned over likewise. */
+let wall: { x: number; removedAt: number } | null = null;
 /** The disk that is tagged: the one nearest to the middle at the start. */
 let tagged = 0;
 
@@ -23,22 +27,22 @@ const say = (answer: Answer, moved: Transferable[] = []): void =>
 const column = (name: string): Float64Array => engine.view(engine.call(`gas_${name}`), count);
 const time = (): number => engine.call('gas_time');
 
-function made(): void {
+function made(continues: boolean): void {
   const summary = engine.numbers('gas_summary', 12);
   size = { x: summary[9]!, y: summary[10]! };
   kinds = engine.numbers('gas_kinds', 2 * count);
-  measurer = new Measurer(kinds, size, summary[11]!);
-  say({ kind: 'made', width: size.x, height: size.y, kinds });
+  measurer = new Measurer(kinds, size, summary[11]!, { time: summary[0]!, collisions: summary[1]! });
+  say({ kind: 'made', width: size.x, height: size.y, room: wall ? 2 * wall.x : size.x, kinds, continues });
 }
 
-function make(toml: string, equalSpeeds: boolean): void {
+function make({ toml, equalSpeeds, half }: Request & { kind: 'make' }): void {
   engine.setInput(toml);
   count = engine.tryCall('gas_open', -1);
   if (equalSpeeds) engine.tryCall('gas_equal_speeds', 0);
-  start = { x: column('x').slice(), y: column('y').slice() };
-  returnsAt = Infinity;
+  start = { x: column('x').slice(), y: column('y').slice(), time: 0 };
   pace = 0.001;
-  made();
+  wall = half ? { x: engine.numbers('gas_summary', 12)[9]!, removedAt: NaN } : null;
+  made(false);
   tagged = nearestToMiddle();
 }
 
@@ -52,23 +56,67 @@ function nearestToMiddle(): number {
 
 /** Goes on by `span`, or as far as it gets in a frame's budget. Returns whether it got there. */
 function advance(span: number): boolean {
-  const end = Math.min(time() + span, returnsAt > time() ? returnsAt : Infinity);
+  const moments = [start.time, wall?.removedAt ?? NaN].filter((moment) => moment > time());
+  const end = Math.min(time() + span, ...moments);
   const begin = performance.now();
   let spent = 0;
-  while (time() < end && spent < frameBudget) {
+  let arrived = false;
+  while (!arrived && spent < frameBudget) {
     const from = time();
     const chunk = Math.max(pace * (frameBudget - spent) * 0.5, 1e-9 * (1 + from));
     const before = performance.now();
     engine.tryCall('gas_run_until', 0, Math.min(end, from + chunk));
     const now = performance.now();
-    pace = Math.min(1e6, ((time() - from) / Math.max(0.05, now - before)) * 0.7 + pace * 0.3);
     spent = now - begin;
+    arrived = time() >= end || time() === from; // what is left may be less than a tick of the clock
+    if (time() > from) pace = Math.min(1e6, ((time() - from) / Math.max(0.05, now - before)) * 0.7 + pace * 0.3);
   }
-  if (time() === returnsAt) {
-    returnsAt = Infinity;
-    say({ kind: 'returned', distance: distanceFromStart() });
-  }
-  return time() >= end;
+  if (moments.includes(time())) arriveAtMoment();
+  return arrived;
+}
+
+/** On its way back the gas is where the wall was taken away, or where it started. */
+function arriveAtMoment(): void {
+  if (wall && time() === wall.removedAt) putBack(wall);
+  if (time() === start.time) say({ kind: 'returned', distance: distanceFromStart() });
+}
+
+/** To the other size of the box at this moment; all disks go on as they are. */
+function resize(width: number): void {
+  engine.tryCall('gas_resize', 0, width, size.y);
+  made(true);
+}
+
+function removeWall(): void {
+  if (!wall || size.x > wall.x) return;
+  wall.removedAt = time();
+  // A gas on its way back has another way from here on.
+  if (start.time > time()) start.time = NaN;
+  resize(2 * wall.x);
+}
+
+/** Where the gas, on its way back, stands as when the wall was taken away; if it forgot the way, it is not in the half. */
+function putBack(from: NonNullable<typeof wall>): void {
+  const x = column('x');
+  let over = 0;
+  for (let k = 0; k < count; ++k) if (x[k]! + kinds[2 * k]! > from.x * (1 + 1e-12)) ++over;
+  wall = { x: from.x, removedAt: NaN };
+  if (over > 0) start.time = NaN;
+  else resize(from.x);
+  say({ kind: 'wallBack', over });
+}
+
+function reverse(): void {
+  engine.tryCall('gas_reverse', 0);
+  start.time = 2 * time() - start.time;
+  if (wall) wall.removedAt = 2 * time() - wall.removedAt;
+  say({ kind: 'reversed', time: time(), returnsAt: start.time > time() ? start.time : null });
+}
+
+/** Share of the disks left of where the wall stands or stood. */
+function shareInHalf(): number {
+  const x = column('x');
+  return x.reduce((sum, one) => sum + (one < wall!.x ? 1 : 0), 0) / count;
 }
 
 /** Root mean square distance from the places at the start, in mean diameters. */
@@ -79,7 +127,7 @@ function distanceFromStart(): number {
   let diameters = 0;
   for (let k = 0; k < count; ++k) {
     const folded = (d: number, length: number): number => d - length * Math.round(d / length);
-    sum += folded(x[k]! - start!.x[k]!, size.x) ** 2 + folded(y[k]! - start!.y[k]!, size.y) ** 2;
+    sum += folded(x[k]! - start.x[k]!, size.x) ** 2 + folded(y[k]! - start.y[k]!, size.y) ** 2;
     diameters += 2 * kinds[2 * k]!;
   }
   return Math.sqrt(sum / count) / (diameters / count);
@@ -95,7 +143,7 @@ function disksOf(colour: Colour): Float32Array {
     picture[3 * k] = x[k]!;
     picture[3 * k + 1] = y[k]!;
     let shade = -1;
-    if (colour === 'speed') shade = Math.min(1, Math.hypot(vx[k]!, vy[k]!) / fastest);
+    if (colour === 'speed') shade = Math.min(1, Math.sqrt(vx[k]! * vx[k]! + vy[k]! * vy[k]!) / fastest);
     else if (colour === 'kind') shade = kinds[2 * k + 1] === lightest && kinds[2 * k] === kinds[0] ? 0.25 : 0.85;
     else if (order) shade = order[k + 1]!;
     picture[3 * k + 2] = shade;
@@ -112,10 +160,11 @@ function placeOfTagged(): { x: number; y: number } {
 function show(request: Request & { kind: 'advance' }): void {
   const begin = performance.now();
   const arrived = request.time > 0 ? advance(request.time) : true;
-  const work = performance.now() - begin;
   const measured = request.measure ? measurer.measure(engine, count) : null;
+  if (measured && wall) measured.inHalf = shareInHalf();
   if (request.measure) engine.call('gas_measure_anew');
   const disks = disksOf(request.colour);
+  const work = performance.now() - begin;
   say({ kind: 'picture', disks, tagged: request.tag ? placeOfTagged() : null, time: time(), limited: !arrived, work, measured }, [disks.buffer]);
 }
 
@@ -125,21 +174,16 @@ async function answer(request: Request): Promise<void> {
       engine = await Engine.start(request.module);
       break;
     case 'make':
-      make(request.toml, request.equalSpeeds);
+      make(request);
       break;
     case 'advance':
       if (count > 0) show(request);
       break;
     case 'reverse':
-      engine.tryCall('gas_reverse', 0);
-      returnsAt = returnsAt < Infinity ? Infinity : 2 * time();
-      say({ kind: 'reversed', time: time(), returnsAt });
+      reverse();
       break;
     case 'removeWall':
-      engine.tryCall('gas_resize', 0, 2 * size.x, size.y);
-      start = null;
-      returnsAt = Infinity;
-      made();
+      removeWall();
       break;
     case 'save':
       engine.tryCall('gas_toml', 0);

@@ -4,10 +4,14 @@ import type { Vec } from '../engine/playback';
 import type { Disk } from '../engine/scene';
 import { shown, strings } from '../strings';
 import { Arrow } from './arrow';
-import { Backdrop, Paths } from './backdrop';
+import { Backdrop } from './backdrop';
+import { ChangesOfMomentum } from './change';
 import { ContactVectors, FocusedVectors, Lines, Outlines } from './contact';
 import { arrowKey } from './keys';
+import { Leaders } from './leaders';
 import { changeDisk, collisionIs, collisionShown, disksNow, grid, mostDisks, playing, setup, touched } from './model';
+import { Paths } from './paths';
+import { tintOf } from './tint';
 import { arrowOf, centre, focus, observer, pictureHeight, pictureWidth, scale, show, toPicture, toScene } from './view';
 
 /** Where the pointer is, in the picture's units. */
@@ -66,7 +70,7 @@ export function PlayArea() {
       onPointerCancel={release}
     >
       <Backdrop />
-      {show.value.has('paths') && <Paths />}
+      <Paths />
       <Lines />
       <Outlines />
       {disksNow.value.map((disk, k) => (
@@ -75,10 +79,12 @@ export function PlayArea() {
       {show.value.has('centre') && <CentreOfMass />}
       <ContactVectors />
       <FocusedVectors />
+      <ChangesOfMomentum />
       {!focus.value && disksNow.value.map((disk, k) => <DiskArrows key={k} disk={disk} number={k} take={take} />)}
       {disksNow.value.map((disk, k) => (
         <DiskNumber key={k} disk={disk} number={k} />
       ))}
+      <Leaders />
     </svg>
   );
 }
@@ -108,6 +114,7 @@ interface BodyProps {
 function DiskBody({ disk, number, take }: BodyProps) {
   const at = toPicture(disk);
   const words = strings.value;
+  const tint = tintOf(disk, disksNow.value);
   const move = (event: KeyboardEvent): void => {
     const by = arrowKey(event);
     if (!by) return;
@@ -130,6 +137,7 @@ function DiskBody({ disk, number, take }: BodyProps) {
     >
       <circle class="focus-ring" cx={at.x} cy={at.y} r={disk.radius * scale.value + 7} />
       <circle class="body" cx={at.x} cy={at.y} r={disk.radius * scale.value} />
+      {tint && <circle class={tint.denser ? 'tint denser' : 'tint'} cx={at.x} cy={at.y} r={disk.radius * scale.value} style={{ opacity: tint.amount }} />}
     </g>
   );
 }

@@ -1,7 +1,7 @@
 // Arrows: told apart by colour, by stroke and by the name at the tip.
 import type { Vec } from '../engine/playback';
 
-export type ArrowKind = 'velocity' | 'velocity-before' | 'momentum' | 'normal' | 'tangential' | 'impulse' | 'unit';
+export type ArrowKind = 'velocity' | 'velocity-before' | 'momentum' | 'normal' | 'tangential' | 'impulse' | 'change' | 'unit';
 
 interface Props {
   kind: ArrowKind;

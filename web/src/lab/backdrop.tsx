@@ -1,9 +1,8 @@
-// What lies behind the disks: grid, walls, scale, and the paths that were flown.
+// What lies behind the disks: grid, walls and scale.
 import { computed } from '@preact/signals';
-import type { Vec } from '../engine/playback';
 import { shown, strings } from '../strings';
-import { contactsSoFar, cursor, disksNow, playback, setup } from './model';
-import { observer, pictureHeight, pictureWidth, scale, show, toPicture } from './view';
+import { cursor, setup } from './model';
+import { pictureHeight, pictureWidth, scale, show, toPicture } from './view';
 
 /** Width of the grid's cells: a round length, some ten of them across. */
 const cell = computed(() => {
@@ -45,6 +44,7 @@ export function Backdrop() {
       )}
       {boundary[0] === 'reflecting' && <path class="wall" d={`M${low.x},${low.y}V${high.y}M${high.x},${low.y}V${high.y}`} />}
       {boundary[1] === 'reflecting' && <path class="wall" d={`M${low.x},${low.y}H${high.x}M${low.x},${high.y}H${high.x}`} />}
+      {show.value.has('scale') && <ScaleBar decimals={decimals} />}
       <text class="unit" x={pictureWidth - 14} y={28} text-anchor="end">
         {strings.value.timeIs(shown(cursor.value.time, 2))}
       </text>
@@ -52,30 +52,15 @@ export function Backdrop() {
   );
 }
 
-/** Where each disk has been: straight from contact to contact. */
-export function Paths() {
-  const corners: Vec[][] = setup.value.disks.map(({ x, y }) => [{ x, y }]);
-  const last = contactsSoFar.value;
-  for (let k = Math.max(0, last - 200); k < last; ++k) {
-    const { i, j, positionI, positionJ } = playback.value.contact(k)!;
-    corners[i]!.push(positionI);
-    if (typeof j === 'number') corners[j]!.push(positionJ);
-  }
-  disksNow.value.forEach((disk, k) => corners[k]!.push(disk));
-  // In the frame of the centre of mass paths would have to bend with it; they are drawn as the table sees them.
-  const moving = observer.value.vx !== 0 || observer.value.vy !== 0;
-  if (moving) return null;
+/** How long a cell of the grid is. */
+function ScaleBar({ decimals }: { decimals: number }) {
+  const length = cell.value * scale.value;
   return (
-    <g class="paths" aria-hidden="true">
-      {corners.map((points, k) => (
-        <polyline
-          key={k}
-          class={`disk-${k % 6}`}
-          stroke-dasharray={k % 2 ? '10 6' : undefined}
-          stroke-width={Math.min(4, 0.2 * setup.value.disks[k]!.radius * scale.value)}
-          points={points.map((point) => toPicture(point)).map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ')}
-        />
-      ))}
+    <g class="scale">
+      <path d={`M16,14v14M16,21h${length}M${16 + length},14v14`} />
+      <text x={28 + length} y={27}>
+        {strings.value.scaleIs(shown(cell.value, decimals))}
+      </text>
     </g>
   );
 }

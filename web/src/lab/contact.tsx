@@ -1,11 +1,14 @@
 // The collision that is taken apart, drawn where it happens: lines, ghosts, parts and impulse.
 import type { Vec } from '../engine/playback';
 import { Arrow } from './arrow';
-import { anatomy, collisionIs, collisionShown, disksNow, setup } from './model';
-import { arrowOf, arrowOfPart, focus, observer, pictureWidth, scale, show, toPicture } from './view';
+import { anatomy, collisionIs, collisionShown, disksAtCollision, disksNow, setup } from './model';
+import { arrowOf, arrowOfPart, focus, observer, pictureWidth, scale, show, toPicture, toPictureThen } from './view';
 
 const times = (factor: number, v: Vec): Vec => ({ x: factor * v.x, y: factor * v.y });
 const plus = (a: Vec, b: Vec): Vec => ({ x: a.x + b.x, y: a.y + b.y });
+
+/** A place of the collision shown, as the frame of reference sees it at that moment. */
+const there = (place: Vec): Vec => toPictureThen(place, disksAtCollision.value);
 
 /** Normal and tangent through the point of contact, right across the picture. */
 export function Lines() {
@@ -14,7 +17,7 @@ export function Lines() {
   if (!collision || !parts) return null;
   const wanted = focus.value ? focus.value.has('lines') || focus.value.has('units') : show.value.has('lines');
   if (!wanted) return null;
-  const point = toPicture(collision.point);
+  const point = there(collision.point);
   const ahead = collisionIs.value === 'ahead' && !focus.value;
   const across = (u: Vec, name: string, which: string) => {
     const by = { x: u.x * 2 * pictureWidth, y: -u.y * 2 * pictureWidth };
@@ -44,7 +47,7 @@ export function Outlines() {
   if (!collision || collisionIs.value === 'now') return null;
   if (!show.value.has('ghosts') && !focus.value) return null;
   const outline = (at: Vec, disk: number) => {
-    const centre = toPicture(at);
+    const centre = there(at);
     const radius = setup.value.disks[disk]!.radius * scale.value;
     return <circle class={`outline disk-${disk % 6}`} cx={centre.x} cy={centre.y} r={radius} />;
   };
@@ -69,7 +72,7 @@ function bodies(): Body[] {
   const collision = collisionShown.value!;
   const at = (which: 0 | 1): Body => ({
     number: which === 0 ? collision.i : collision.j,
-    centre: toPicture(which === 0 ? collision.positionI : collision.positionJ),
+    centre: there(which === 0 ? collision.positionI : collision.positionJ),
     which,
     before: which === 0 ? collision.beforeI : collision.beforeJ,
     after: which === 0 ? collision.afterI : collision.afterJ,
@@ -106,7 +109,7 @@ export function FocusedVectors() {
       })}
       {has.has('units') &&
         ([parts.normal, parts.tangent] as const).map((u, k) => (
-          <Arrow key={`u${k}`} kind="unit" from={toPicture(collisionShown.value!.point)} by={times(110, { x: u.x, y: -u.y })} name={['u', k === 0 ? 'n' : 't']} />
+          <Arrow key={`u${k}`} kind="unit" from={there(collisionShown.value!.point)} by={times(110, { x: u.x, y: -u.y })} name={['u', k === 0 ? 'n' : 't']} />
         ))}
       {has.has('J') && <Impulse />}
     </g>
@@ -117,7 +120,7 @@ export function FocusedVectors() {
 function Impulse() {
   const collision = collisionShown.value!;
   const parts = anatomy.value!;
-  const point = toPicture(collision.point);
+  const point = there(collision.point);
   const mean = (setup.value.disks[collision.i]!.mass + setup.value.disks[collision.j]!.mass) / 2;
   const by = arrowOfPart(times(1 / mean, parts.impulse));
   return (

@@ -2,6 +2,7 @@
 import { NumberField } from '../ui/number-field';
 import { strings } from '../strings';
 import { bordered, engine, load, setBorder, setRestitution, setup } from './model';
+import { Masses } from './masses';
 import { presetSetup, presets } from './presets';
 import { Layer, layers, show, toggle } from './view';
 
@@ -12,6 +13,7 @@ function Sample({ layer }: { layer: Layer }) {
     momentum: 'momentum',
     parts: 'normal',
     impulse: 'impulse',
+    change: 'change',
     ghosts: 'velocity-before',
   };
   const kind = kinds[layer];
@@ -36,6 +38,10 @@ function SampleShape({ layer }: { layer: Layer }) {
       return <path class="sample-ink" d="M17 4v8M13 8h8M4 2h26v12H4z" />;
     case 'paths':
       return <path class="sample-path" d="M2 14 14 4 32 12" />;
+    case 'wholePaths':
+      return <path class="sample-path" d="M2 3 8 13 14 4 20 13 26 4 32 12" />;
+    case 'scale':
+      return <path class="sample-ink" d="M3 3v10M3 8h28M31 3v10" />;
     case 'grid':
       return <path class="sample-grid" d="M2 4H32M2 12H32M8 0V16M18 0V16M28 0V16" />;
     default:
@@ -86,6 +92,7 @@ export function Controls() {
           <span>{words.border}</span>
         </label>
       </fieldset>
+      <Masses />
     </div>
   );
 }

@@ -41,6 +41,8 @@ export const playing = signal(false);
 export const slow = signal(false);
 export const pauseAtContact = signal(true);
 export const announcement = signal('');
+/** Whether a disk keeps its radius when its mass changes; else it keeps its density. */
+export const constantSize = signal(true);
 /** The disk whose row and arrow are marked because it is being changed. */
 export const touched = signal<{ disk: number; what: 'place' | 'velocity' } | null>(null);
 
@@ -92,6 +94,9 @@ export const collisionIs = computed<'past' | 'now' | 'ahead'>(() => {
   if (!shownOne || shownOne.index >= contactsSoFar.value) return 'ahead';
   return cursor.value.at?.index === shownOne.index ? 'now' : 'past';
 });
+
+/** All disks at the moment of that collision. */
+export const disksAtCollision = computed(() => (collisionShown.value ? playback.value.disksAfter(collisionShown.value) : disksNow.value));
 
 export const anatomy = computed(() =>
   collisionShown.value ? takeApart(theEngine, collisionShown.value, setup.value.disks) : undefined,
@@ -167,6 +172,7 @@ export function load(next: Setup): void {
     playing.value = false;
     cursor.value = { time: 0 };
     setup.value = next;
+    announcement.value = ''; // of what was before
   });
 }
 
@@ -186,6 +192,11 @@ export function changeDisk(k: number, change: Partial<Disk>): boolean {
   }
   edit({ disks: disks.map((disk, other) => (other === k ? place : disk)) });
   return true;
+}
+
+export function changeMass(k: number, mass: number): boolean {
+  const disk = disksNow.value[k]!;
+  return changeDisk(k, constantSize.value ? { mass } : { mass, radius: disk.radius * Math.sqrt(mass / disk.mass) });
 }
 
 export function addDisk(): void {
@@ -218,7 +229,7 @@ export function setBorder(on: boolean): void {
   edit({ boundary, disks });
 }
 
-/** All disks back into the picture, where they were set up. */
+/** Whether a disk has left the picture. */
 export const outside = computed(() => {
   const { width, height } = setup.value;
   return disksNow.value.some(({ x, y, radius }) => x < -radius || y < -radius || x > width + radius || y > height + radius);

@@ -1,7 +1,7 @@
 // The disks in numbers: cells that can be edited, and what follows from them.
 import { NumberField } from '../ui/number-field';
 import { shown, shownToAddUp, strings } from '../strings';
-import { addDisk, changeDisk, disksNow, grid, mostDisks, removeDisk, setup, touched } from './model';
+import { addDisk, changeDisk, changeMass, disksNow, grid, mostDisks, removeDisk, setup, touched } from './model';
 
 export function DiskTable() {
   const words = strings.value;
@@ -44,7 +44,7 @@ export function DiskTable() {
                 </th>
                 <td>
                   <NumberField label={words.cell(words.mass, k + 1)} value={disk.mass} step={0.1} least={0.001} most={1e6}
-                    change={(mass) => changeDisk(k, { mass })} />
+                    change={(mass) => changeMass(k, mass)} />
                 </td>
                 <td>
                   <NumberField label={words.cell(words.radius, k + 1)} value={disk.radius} step={grid.value} least={grid.value / 100}

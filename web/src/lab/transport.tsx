@@ -1,7 +1,7 @@
 // The clock, and the buttons that move it.
 import { shown, strings } from '../strings';
 import { Icon, IconName } from '../ui/icon';
-import { contactsSoFar, cursor, load, nextContact, outside, pauseAtContact, playing, previousContact, restart, setup, slow, step } from './model';
+import { bordered, contactsSoFar, cursor, load, nextContact, outside, pauseAtContact, playing, previousContact, restart, setup, slow, step } from './model';
 
 interface ButtonProps {
   id: string;
@@ -18,6 +18,10 @@ function TransportButton({ id, icon, label, keys, act, large }: ButtonProps) {
       <Icon name={icon} />
     </button>
   );
+}
+
+function returnDisks(): void {
+  if (outside.value) load(setup.value);
 }
 
 export function Transport() {
@@ -51,8 +55,8 @@ export function Transport() {
           <input type="checkbox" id="pause-at-contact" checked={pauseAtContact.value} onChange={() => (pauseAtContact.value = !pauseAtContact.value)} />{' '}
           {words.pauseAtContact}
         </label>
-        {outside.value && (
-          <button type="button" id="return-disks" onClick={() => load(setup.value)}>
+        {!bordered.value && (
+          <button type="button" id="return-disks" aria-disabled={!outside.value} onClick={returnDisks}>
             {words.returnDisks}
           </button>
         )}

@@ -1,6 +1,7 @@
 // What the picture shows, and how lengths of the scene become lengths of the picture.
 import { computed, signal } from '@preact/signals';
 import { Vec } from '../engine/playback';
+import type { Disk } from '../engine/scene';
 import { disksNow, setup } from './model';
 
 /** In the order of the check boxes. */
@@ -11,15 +12,18 @@ export const layers = [
   'parts',
   'ghosts',
   'impulse',
+  'change',
   'centre',
   'centreFrame',
   'paths',
+  'wholePaths',
   'grid',
+  'scale',
   'values',
 ] as const;
 export type Layer = (typeof layers)[number];
 
-export const initialLayers: readonly Layer[] = ['velocity', 'lines', 'ghosts', 'values', 'grid'];
+export const initialLayers: readonly Layer[] = ['velocity', 'lines', 'ghosts', 'values', 'grid', 'scale'];
 export const show = signal<ReadonlySet<Layer>>(new Set(initialLayers));
 
 export function toggle(layer: Layer): void {
@@ -43,12 +47,12 @@ const margin = computed(() => (pictureHeight.value - setup.value.height * scale.
 
 export const totalMass = computed(() => setup.value.disks.reduce((sum, { mass }) => sum + mass, 0));
 
-/** Centre of mass and its velocity, now. */
-export const centre = computed(() => {
-  const mean = (of: 'x' | 'y' | 'vx' | 'vy'): number =>
-    disksNow.value.reduce((sum, disk) => sum + disk.mass * disk[of], 0) / totalMass.value;
+/** Centre of mass of these disks, and its velocity. */
+function centreOf(disks: readonly Disk[]) {
+  const mean = (of: 'x' | 'y' | 'vx' | 'vy'): number => disks.reduce((sum, disk) => sum + disk.mass * disk[of], 0) / totalMass.value;
   return { x: mean('x'), y: mean('y'), vx: mean('vx'), vy: mean('vy') };
-});
+}
+export const centre = computed(() => centreOf(disksNow.value));
 
 /** The frame of reference: what is taken off places and velocities. */
 export const observer = computed(() => {
@@ -60,6 +64,13 @@ export const observer = computed(() => {
 /** From the scene to the picture. */
 export function toPicture({ x, y }: Vec): Vec {
   return { x: (x - observer.value.x) * scale.value, y: margin.value + (setup.value.height - (y - observer.value.y)) * scale.value };
+}
+
+/** The same for a place at another time, when all disks stood like this: as the frame of reference saw it then. */
+export function toPictureThen({ x, y }: Vec, then: readonly Disk[]): Vec {
+  if (!show.value.has('centreFrame')) return toPicture({ x, y });
+  const there = centreOf(then);
+  return toPicture({ x: x - there.x + centre.value.x, y: y - there.y + centre.value.y });
 }
 
 /** From the picture to the scene. */

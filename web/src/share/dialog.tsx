@@ -2,7 +2,8 @@
 import { useRef } from 'preact/hooks';
 import type { Contact } from '../engine/playback';
 import { announce, contactsSoFar, playback } from '../lab/model';
-import { said } from '../gas/model';
+import { history as measurements, said } from '../gas/model';
+import { gasDrawing } from '../gas/stage';
 import { strings } from '../strings';
 import { tab } from '../ui/app';
 import { Dialog, dialog } from '../ui/dialog';
@@ -10,7 +11,7 @@ import { addressNow } from './address';
 import { copyText } from './clipboard';
 import { openFile, save, saveScene } from './files';
 import { pngOfCanvas, pngOfSvg, standaloneSvg } from './picture';
-import { csvOf } from './table';
+import { csvOf, csvOfGas } from './table';
 
 export function ShareDialog() {
   const words = strings.value;
@@ -45,16 +46,12 @@ export function ShareDialog() {
         <button type="button" id="save-png" onClick={() => void savePng()}>
           {menu.png}
         </button>
-        {inLab && (
-          <button type="button" id="save-svg" onClick={() => save('collision.svg', standaloneSvg())}>
-            {menu.svg}
-          </button>
-        )}
-        {inLab && (
-          <button type="button" id="save-csv" onClick={saveCsv}>
-            {menu.csv}
-          </button>
-        )}
+        <button type="button" id="save-svg" onClick={saveSvg}>
+          {menu.svg}
+        </button>
+        <button type="button" id="save-csv" onClick={saveCsv}>
+          {inLab ? menu.csv : menu.csvOfGas}
+        </button>
       </div>
       <p class="note">{menu.drop}</p>
     </Dialog>
@@ -71,11 +68,17 @@ async function copyLink(): Promise<void> {
 }
 
 async function savePng(): Promise<void> {
-  const canvas = document.querySelector<HTMLCanvasElement>('#gas-picture');
-  save(canvas ? 'gas.png' : 'collision.png', await (canvas ? pngOfCanvas(canvas) : pngOfSvg(standaloneSvg())));
+  const gas = gasDrawing.value;
+  save(gas ? 'gas.png' : 'collision.png', await (gas ? pngOfCanvas(gas.copy()) : pngOfSvg(standaloneSvg())));
+}
+
+function saveSvg(): void {
+  const gas = gasDrawing.value;
+  save(gas ? 'gas.svg' : 'collision.svg', gas ? gas.svg() : standaloneSvg());
 }
 
 function saveCsv(): void {
+  if (tab.value === 'gas') return save('gas.csv', csvOfGas(measurements.value));
   const contacts: Contact[] = [];
   for (let k = 0; k < contactsSoFar.value; ++k) contacts.push(playback.value.contact(k)!);
   save('contacts.csv', csvOf(contacts));

@@ -1,9 +1,21 @@
-// Contacts as a table: the columns of the program's own collision log.
+// Tables: contacts with the columns of the program's own collision log, and what was measured of a gas.
 import type { Contact } from '../engine/playback';
+import type { Measured } from '../gas/messages';
 
 export const csvHeader = 'time,i,j,x,y,nx,ny,impulse';
 
+const table = (header: string, rows: (string | number)[][]): string => `${[header, ...rows.map((row) => row.join(','))].join('\n')}\n`;
+
 export function csvOf(contacts: readonly Contact[]): string {
-  const rows = contacts.map((c) => [c.time, c.i, c.j, c.point.x, c.point.y, c.normal.x, c.normal.y, c.impulse].join(','));
-  return `${[csvHeader, ...rows].join('\n')}\n`;
+  return table(
+    csvHeader,
+    contacts.map((c) => [c.time, c.i, c.j, c.point.x, c.point.y, c.normal.x, c.normal.y, c.impulse]),
+  );
+}
+
+/** Cells of what there is not stay empty. */
+export function csvOfGas(measured: readonly Measured[]): string {
+  const columns = ['time', 'collisions', 'rate', 'kT', 'compressibility', 'h', 'order', 'packing', 'drift'] as const;
+  const rows = measured.map((one) => columns.map((name) => (Number.isFinite(one[name]) ? one[name] : '')));
+  return table('time,collisions,collisions_per_disk_and_time,kT,Z,H,psi6,packing_fraction,energy_drift', rows);
 }

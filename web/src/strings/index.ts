@@ -32,6 +32,11 @@ export function counted(value: number): string {
   return new Intl.NumberFormat(language.value).format(value);
 }
 
+/** A number with the digits that it has, a true minus sign and the language's decimal mark. */
+export function inLanguage(value: number): string {
+  return new Intl.NumberFormat(language.value, { maximumSignificantDigits: 12, useGrouping: false }).format(value).replace('-', '−');
+}
+
 /** All digits that a double holds. */
 export function inFull(value: number): string {
   const text = String(value + 0).replace('-', '−').replace('e−', 'e-').replace('e-', '·10^−').replace('e+', '·10^');

@@ -8,10 +8,10 @@ import { acceptDroppedFiles } from '../share/files';
 import { ShareDialog } from '../share/dialog';
 import { Language, language, languages, strings } from '../strings';
 import { Dialog, dialog } from './dialog';
+import { dark } from './theme';
 
 export type Tab = 'lab' | 'gas';
 export const tab = signal<Tab>('lab');
-export const dark = signal(typeof matchMedia !== 'undefined' && matchMedia('(prefers-color-scheme: dark)').matches);
 
 export function App() {
   const words = strings.value;
@@ -19,9 +19,6 @@ export function App() {
     document.documentElement.lang = language.value;
     document.title = words.title;
   }, [language.value]);
-  useEffect(() => {
-    document.documentElement.dataset.theme = dark.value ? 'dark' : 'light';
-  }, [dark.value]);
   useEffect(acceptDroppedFiles, []);
   useEffect(() => {
     const onKey = (event: KeyboardEvent): void => {

@@ -3,6 +3,7 @@ import type { Page } from 'playwright-core';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { layers } from '../../src/lab/view';
 import { carom } from '../engine';
+import { handsOn } from './hands';
 import { openedLab } from './lab';
 
 const lab = openedLab();
@@ -11,37 +12,7 @@ beforeEach(() => {
   page = lab.page;
 });
 
-/** Shown in a cell: m, R, x, y, vx or vy of a disk, all counted from 1. */
-const cell = (disk: number, what: number) => page.locator(`tbody tr:nth-child(${disk}) td:nth-of-type(${what}) input`).first();
-const value = async (disk: number, what: number): Promise<number> => Number((await cell(disk, what).inputValue()).replace('−', '-'));
-const clock = async (): Promise<number> => Number(await page.textContent('#clock'));
-const row = (disk: number): Promise<number[]> => Promise.all([1, 2, 3, 4, 5, 6].map((what) => value(disk, what)));
-
-/** What the program says of two disks given by their rows of the table. */
-function collided(one: number[], two: number[], restitution = 1) {
-  const disk = ([m, R, x, y, vx, vy]: number[]): string => [x, y, vx, vy, m, R].join(',');
-  return JSON.parse(carom(['collide', '--disk', disk(one), '--disk', disk(two), '--advance', '--restitution', `${restitution}`, '--json']));
-}
-
-/** From the picture's units to the screen. */
-async function onScreen(x: number, y: number): Promise<{ x: number; y: number }> {
-  const box = (await page.locator('#play-area').boundingBox())!;
-  const scale = Math.min(box.width / 8, box.height / 5);
-  const left = box.x + (box.width - 8 * scale) / 2;
-  return { x: left + x * scale, y: box.y + box.height - (box.height - 5 * scale) / 2 - y * scale };
-}
-
-async function drag(from: [number, number], to: [number, number], shift = false): Promise<void> {
-  const a = await onScreen(...from);
-  const b = await onScreen(...to);
-  await page.mouse.move(a.x, a.y);
-  await page.mouse.down();
-  if (shift) await page.keyboard.down('Shift');
-  await page.mouse.move((a.x + b.x) / 2, (a.y + b.y) / 2);
-  await page.mouse.move(b.x, b.y);
-  await page.mouse.up();
-  if (shift) await page.keyboard.up('Shift');
-}
+const { cell, value, clock, row, collided, drag } = handsOn(lab);
 
 describe('disks and arrows', () => {
   it('are dragged, snap to the grid, and do not overlap', async () => {

@@ -1,6 +1,11 @@
 // Property: the gas runs in its worker, goes Maxwell's way, comes back when turned round, and takes all its controls.
+import { mkdtempSync, readFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { inflateSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { beforeEach, describe, expect, it } from 'vitest';
+import { open } from '../browser';
 import { openedLab } from './lab';
 
 const lab = openedLab('#gas&number=200&packing=0.1&seed=3');
@@ -36,6 +41,16 @@ describe('gas', () => {
     await page.click('#gas-play');
     await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('should stand'), undefined, { timeout: 60000 });
     expect(await page.textContent('#gas-said')).toContain('It remembers.');
+    // On beyond the start, turned round there, and back at the start once more; turned round twice it goes no way back.
+    const met = await reading('time');
+    await page.click('#gas-play');
+    await expect.poll(() => reading('time'), { timeout: 60000 }).toBeGreaterThan(met + 0.3);
+    await page.click('#gas-reverse');
+    await page.click('#gas-reverse');
+    await page.waitForFunction(() => !document.querySelector('#gas-said')!.textContent!.includes('as at the start'));
+    await page.click('#gas-reverse');
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('It remembers.'), undefined, { timeout: 60000 });
+    expect(await reading('drift')).toBeLessThan(1e-12);
   });
   it('takes every parameter, and says what cannot be', async () => {
     await page.fill('#gas-number', '50');
@@ -46,17 +61,191 @@ describe('gas', () => {
     await page.check('#gas-tag');
     await page.click('#gas-play');
     await expect.poll(() => reading('collisions'), { timeout: 60000 }).toBeGreaterThan(0);
-    const before = (await page.locator('#gas-picture').boundingBox())!;
-    await page.click('#gas-remove-wall');
-    await expect.poll(async () => {
-      const now = (await page.locator('#gas-picture').boundingBox())!;
-      return now.width / now.height;
-    }, { timeout: 20000 }).toBeCloseTo((2 * before.width) / before.height, 1);
     await page.fill('#gas-packing', '0.8');
     await page.keyboard.press('Enter');
-    await page.click('summary');
+    await page.click('#gas-mixture');
     await page.fill('#gas-fraction', '0.5');
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('packing fraction'), undefined, { timeout: 20000 });
+  });
+  it('expands freely when the wall is taken away, and is back behind it when turned round', async () => {
+    await page.fill('#gas-number', '60');
+    await page.keyboard.press('Enter');
+    await page.selectOption('#gas-boundary', 'half');
+    await page.click('#gas-play');
+    await expect.poll(() => reading('half'), { timeout: 20000 }).toBe(100);
+    await page.focus('#gas-remove-wall');
+    await page.keyboard.press('Enter');
+    expect(await page.textContent('#gas-said')).toContain('expands freely');
+    await expect.poll(() => reading('half'), { timeout: 60000 }).toBeLessThan(90);
+    expect(await page.getAttribute('#gas-remove-wall', 'aria-disabled')).toBe('true');
+    await page.click('#gas-reverse');
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('back in the left half'), undefined, { timeout: 60000 });
+    await expect.poll(() => page.getAttribute('#gas-remove-wall', 'aria-disabled')).toBe('false');
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('It remembers.'), undefined, { timeout: 60000 });
+    await page.click('#gas-remove-wall');
+    await page.click('#open-share');
+    await page.click('#copy-link');
+    await page.waitForFunction(() => location.hash.includes('boundary=half'));
+  });
+});
+
+describe('its controls', () => {
+  /** What the address says of the gas. */
+  async function address(): Promise<Record<string, string>> {
+    await page.click('#open-share');
+    await page.click('#copy-link');
+    await page.waitForFunction(() => location.hash.startsWith('#gas'));
+    return Object.fromEntries(new URL(page.url()).hash.split('&').slice(1).map((part) => part.split('=')));
+  }
+  it('are worked by keyboard, and the address keeps them', async () => {
+    await page.waitForSelector('#gas-time');
+    await page.focus('#gas-mixture');
+    await page.keyboard.press('Enter');
+    for (const [id, typed] of [['number', '150'], ['packing', '0.2'], ['temperature', '2'], ['restitution', '0.9'], ['fraction', '0.4'], ['radiusRatio', '1.5'], ['massRatio', '3'], ['seed', '7']] as const) {
+      await page.focus(`#gas-${id}`);
+      await page.keyboard.type(typed);
+      await page.keyboard.press('Enter');
+    }
+    await page.keyboard.press('ArrowUp');
+    for (const id of ['boundary', 'speeds', 'colour']) {
+      await page.focus(`#gas-${id}`);
+      await page.keyboard.press('ArrowDown');
+    }
+    await page.focus('#gas-tag');
+    await page.keyboard.press(' ');
+    await page.focus('#pace');
+    await page.keyboard.press('Home');
+    expect(await page.getAttribute('#pace', 'aria-valuetext')).toContain('0.01');
+    await expect.poll(() => reading('kT'), { timeout: 20000 }).toBeGreaterThan(1.7);
+    const said = { number: '150', packing: '0.2', temperature: '2', boundary: 'reflecting', restitution: '0.9', fraction: '0.4', radiusRatio: '1.5', massRatio: '3', speeds: 'maxwell', seed: '8', pace: '0.01', colour: 'kind', tag: '1' };
+    expect(await address()).toEqual(said);
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+    await page.keyboard.press(' ');
+    await expect.poll(() => reading('time'), { timeout: 20000 }).toBeGreaterThan(0);
+    await page.focus('#gas-new');
+    await page.keyboard.press('Enter');
+    await page.focus('#gas-reverse');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('turned round'));
+    await page.reload();
+    await page.waitForSelector('#gas-time');
+    expect(await page.inputValue('#gas-massRatio')).toBe('3');
+    expect(await page.inputValue('#gas-colour')).toBe('kind');
+    expect(await page.isChecked('#gas-tag')).toBe(true);
+  });
+  it('are worked by mouse', async () => {
+    await page.waitForSelector('#gas-time');
+    const track = (await page.locator('#pace').boundingBox())!;
+    await page.mouse.click(track.x + track.width - 3, track.y + track.height / 2);
+    expect(await page.getAttribute('#pace', 'aria-valuetext')).toContain('1000');
+    await page.click('#gas-play');
+    await expect.poll(() => reading('time'), { timeout: 20000 }).toBeGreaterThan(1);
+    await page.click('#gas-play');
+    await page.click('#gas-new');
+    await expect.poll(() => reading('time'), { timeout: 20000 }).toBe(0);
+    await page.click('#gas-tag');
+    expect(await page.isChecked('#gas-tag')).toBe(true);
+    await page.click('#gas-mixture');
+    await page.fill('#gas-seed', '12');
+    await page.click('#gas-play');
+    await page.click('#gas-play');
+    expect(await address()).toMatchObject({ seed: '12', tag: '1', pace: '1000' });
+  });
+  it('charts tell the value under the pointer', async () => {
+    await page.waitForSelector('.plot canvas');
+    await page.locator('.plot').first().hover();
+    await expect.poll(() => page.locator('.reading').first().textContent()).toMatch(/^v \d\.\d+, f \d/);
+    expect(await page.locator('.plot').first().getAttribute('aria-label')).toContain('Maxwell');
+  });
+});
+
+/** How many of a picture's dots are of a disk, on paper or a canvas. */
+async function coloured(png: Buffer): Promise<number> {
+  return page.evaluate(async (bytes) => {
+    const image = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: 'image/png' }));
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext('2d')!;
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    let count = 0;
+    for (let k = 0; k < data.length; k += 4) {
+      const dot = [data[k]!, data[k + 1]!, data[k + 2]!];
+      if (Math.max(...dot) - Math.min(...dot) > 40) ++count;
+    }
+    return count / (image.width * image.height);
+  }, [...png]);
+}
+
+/** Red, green and blue of every dot of the pictures in a PDF. */
+function imagesOf(pdf: Buffer): number[][][] {
+  const found: number[][][] = [];
+  const text = pdf.toString('latin1');
+  for (const { 0: head, index } of text.matchAll(/<<[^>]*\/Subtype \/Image[^>]*\/ICCBased[^>]*>>\s*stream\r?\n/g)) {
+    const start = index + head.length;
+    const bytes = inflateSync(pdf.subarray(start, text.indexOf('endstream', start)));
+    found.push(Array.from({ length: Math.floor(bytes.length / 3) }, (_, k) => [bytes[3 * k]!, bytes[3 * k + 1]!, bytes[3 * k + 2]!]));
+  }
+  return found;
+}
+
+describe('its picture', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'carom-gas-'));
+  async function savedPicture(): Promise<Buffer> {
+    await page.waitForSelector('#gas-time');
+    await page.waitForTimeout(300);
+    await page.click('#open-share');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-png')]);
+    await download.saveAs(join(folder, 'gas.png'));
+    await page.click('#close-share');
+    return readFileSync(join(folder, 'gas.png'));
+  }
+  for (const webgl of [true, false]) {
+    it(`shows as much of disks as there is, ${webgl ? 'with' : 'without'} WebGL, on screen and in a file`, async () => {
+      const opened = await open(lab.browser, `${lab.address}#gas&number=200&packing=0.3&seed=3`, { webgl });
+      page = opened.page;
+      const saved = await coloured(await savedPicture());
+      const seen = await coloured(await page.locator('.gas-box').screenshot());
+      for (const share of [saved, seen]) {
+        expect(share).toBeGreaterThan(0.25);
+        expect(share).toBeLessThan(0.32);
+      }
+      expect(opened.troubles).toEqual([]);
+      await opened.context.close();
+    });
+  }
+  it('is saved as shapes, and its measurements as a table', async () => {
+    await page.check('#gas-tag');
+    await page.click('#gas-play');
+    await expect.poll(() => page.locator('.plot').nth(1).getAttribute('aria-label'), { timeout: 20000 }).toMatch(/H: −\d/);
+    await page.click('#gas-play');
+    await page.click('#open-share');
+    const text = async (button: string, name: string): Promise<string> => {
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+      expect(download.suggestedFilename()).toBe(name);
+      await download.saveAs(join(folder, name));
+      return readFileSync(join(folder, name), 'utf8');
+    };
+    const svg = await text('#save-svg', 'gas.svg');
+    expect(svg.match(/<circle /g)!.length).toBe(201);
+    expect(svg).toMatch(/<path d="M[\d.]+,[\d.]+L/);
+    const [header, ...rows] = (await text('#save-csv', 'gas.csv')).trim().split('\n');
+    expect(header).toBe('time,collisions,collisions_per_disk_and_time,kT,Z,H,psi6,packing_fraction,energy_drift');
+    expect(rows.length).toBeGreaterThan(0);
+    for (const row of rows) {
+      expect(Number(row.split(',')[3])).toBeCloseTo(1, 2);
+      expect(Number(row.split(',')[7])).toBeCloseTo(0.1, 9);
+    }
+  });
+  it('is printed, in a dark theme too', async () => {
+    const opened = await open(lab.browser, `${lab.address}#gas&number=200&packing=0.3&seed=3`, { dark: true });
+    page = opened.page;
+    await page.waitForSelector('#gas-time');
+    await page.waitForTimeout(300);
+    const pictures = imagesOf(await page.pdf({ printBackground: true, format: 'A4' }));
+    const shares = pictures.map((dots) => dots.filter(([r, g, b]) => Math.max(r!, g!, b!) - Math.min(r!, g!, b!) > 40).length / dots.length);
+    expect(Math.max(...shares)).toBeGreaterThan(0.2);
+    expect(await page.getAttribute('html', 'data-theme')).toBe('dark');
+    await opened.context.close();
   });
 });

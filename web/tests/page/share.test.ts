@@ -62,6 +62,46 @@ describe('sharing', () => {
     await page.click('#open-share');
     carom(['check', await saved('#save-scene')]);
   });
+  it('scenes are taken where they are dropped', async () => {
+    const text = readFileSync(`${root}scenes/two-disk.toml`, 'utf8');
+    await page.evaluate((text) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], 'two-disk.toml'));
+      const over = new DragEvent('dragover', { dataTransfer, bubbles: true, cancelable: true });
+      document.body.dispatchEvent(over);
+      if (!over.defaultPrevented) throw new Error('nothing may be dropped here');
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    }, text);
+    await expect.poll(() => page.textContent('#said')).toContain('two-disk.toml');
+    expect(await page.inputValue('#preset')).toBe('custom');
+  });
+  it('the whole menu, language and theme are worked by keyboard', async () => {
+    await page.focus('#open-share');
+    await page.keyboard.press('Enter');
+    for (const button of ['#save-scene', '#save-png', '#save-svg', '#save-csv']) {
+      await page.focus(button);
+      await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+    }
+    await page.focus('#open-scene');
+    await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
+    await page.focus('#copy-link');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => location.hash.startsWith('#lab') && !document.querySelector('dialog[open]'));
+    await page.focus('#theme');
+    await page.keyboard.press('Enter');
+    expect(await page.getAttribute('html', 'data-theme')).toBe('dark');
+    await page.focus('#language');
+    await page.keyboard.press('ArrowDown');
+    expect(await page.getAttribute('html', 'lang')).toBe('de');
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+    await page.keyboard.press('?');
+    await page.waitForSelector('#dialog-keys[open]');
+    await page.keyboard.press('Escape');
+    await page.waitForSelector('#dialog-keys', { state: 'hidden' });
+    await page.focus('#tab-gas');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#gas-picture');
+  });
   it('an address that cannot be is refused, with the reason', async () => {
     const opened = await open(lab.browser, `${lab.address}#lab&box=8,5,rr&e=1&disks=1,1,0,0,1,0.5;1.2,1,0,0,1,0.5`);
     expect(await opened.page.textContent('#said')).toContain('overlap');
