@@ -11,10 +11,14 @@
 
 namespace carom::program {
 
-void add_saving(CLI::App& command, SavingOptions& options) {
+void add_checkpoints(CLI::App& command, SavingOptions& options) {
   add_number(command, "--checkpoint-every", options.checkpoint_every, "simulated time between two checkpoints");
   add_number(command, "--checkpoint-minutes", options.checkpoint_minutes,
              "minutes between two checkpoints, 10 by default; there is one at the start and one at the end");
+}
+
+void add_saving(CLI::App& command, SavingOptions& options) {
+  add_checkpoints(command, options);
   add_number(command, "--max-minutes", options.max_minutes,
              "end the run after so many minutes; carom resume goes on with it");
 }

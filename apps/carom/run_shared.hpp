@@ -16,7 +16,10 @@ struct SavingOptions {
   std::optional<double> max_minutes;
 };
 
-/// --checkpoint-every, --checkpoint-minutes and --max-minutes.
+/// --checkpoint-every and --checkpoint-minutes.
+void add_checkpoints(CLI::App& command, SavingOptions& options);
+
+/// Those, and --max-minutes.
 void add_saving(CLI::App& command, SavingOptions& options);
 
 /// Throws Error if a time is out of range, and UsageError if there is nowhere to save to.
