@@ -3,14 +3,13 @@ bytes for any number of threads and wherever it was interrupted or killed; it re
 
 import csv
 import json
-import os
 import shutil
 import signal
 import subprocess
 import time
 import unittest
 
-from program import CAROM, ProgramTest, main
+from program import CAROM, HAS_HDF5, ProgramTest, main
 
 GAS = """
 [box]
@@ -21,7 +20,6 @@ count = 40
 packing_fraction = 0.3
 """
 
-HDF5 = os.environ.get("CAROM_HDF5", "ON") not in ("OFF", "0", "FALSE", "NO")
 TABLES = ("sweep.csv", "sweep_mean.csv")
 
 
@@ -164,13 +162,13 @@ class Stopped(SweepTest):
 
     def collisions_in(self, directory):
         """Those before the newest checkpoint."""
-        return self.json_of("info", f"{directory}/checkpoint.h5")["collisions_so_far"] if HDF5 else 0
+        return self.json_of("info", f"{directory}/checkpoint.h5")["collisions_so_far"] if HAS_HDF5 else 0
 
     def stop(self, number, *more):
         """Sends the signal while the long jobs run: two at a time, or the third."""
         child = self.start(*more)
         first = self.path(self.LONG[0])
-        self.wait_until(lambda: (first / ("checkpoint-1.h5" if HDF5 else "scene.toml")).exists() or child.poll())
+        self.wait_until(lambda: (first / ("checkpoint-1.h5" if HAS_HDF5 else "scene.toml")).exists() or child.poll())
         time.sleep(0.1)  # beyond the checkpoint at the job's start
         child.send_signal(number)
         _, errors = child.communicate(timeout=60)
@@ -185,10 +183,10 @@ class Stopped(SweepTest):
         self.assertEqual(self.read("o/sweep.csv"), "".join(self.read("whole/sweep.csv").splitlines(True)[:3]))
         third = self.path(self.LONG[0])
         self.assertFalse((third / "report.json").exists() or (third / "job.json").exists())
-        if HDF5:
+        if HAS_HDF5:
             self.assertGreater(self.collisions_in(self.LONG[0]), 1000)
         done = json.loads(self.succeed(*self.WORDS, "o", "--threads", 2, "--json").stdout)
-        self.assertEqual((done["kept"], done["resumed"]), (2, 1 if HDF5 else 0))
+        self.assertEqual((done["kept"], done["resumed"]), (2, 1 if HAS_HDF5 else 0))
         self.assertEqual(self.tables("o"), self.tables("whole"))
 
     def test_interrupted_and_killed_again_and_again(self):
@@ -203,16 +201,16 @@ class Stopped(SweepTest):
             for old, new in zip(before, after):
                 self.assertGreaterEqual(new, old)
             before = after
-        self.assertTrue(before[0] > 1000 or not HDF5)
+        self.assertTrue(before[0] > 1000 or not HAS_HDF5)
         done = json.loads(self.succeed(*self.WORDS, "o", "--json").stdout)
-        self.assertEqual((done["finished"], done["resumed"]), (4, 2 if HDF5 else 0))
+        self.assertEqual((done["finished"], done["resumed"]), (4, 2 if HAS_HDF5 else 0))
         self.assertEqual(self.tables("o"), self.tables("whole"))
         for job in self.LONG:
             whole = job.replace("o/", "whole/", 1)
             for name in ("final.xyz", "observables/msd.csv", "scene.toml"):
                 self.assertEqual(self.read(f"{job}/{name}"), self.read(f"{whole}/{name}"))
 
-    @unittest.skipUnless(HDF5, "there are no checkpoints without HDF5")
+    @unittest.skipUnless(HAS_HDF5, "there are no checkpoints without HDF5")
     def test_damaged_and_foreign_checkpoints(self):
         self.succeed(*self.WORDS, "whole")
         self.stop(signal.SIGINT)
