@@ -3,7 +3,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "carom/carom.hpp"
 #include "command.hpp"
@@ -29,6 +32,7 @@ struct ResumeOptions {
 };
 
 void check_options(const ResumeOptions& options) {
+  require_hdf5("checkpoints need");
   require_time("--until", options.until, true);
   if (options.collisions && *options.collisions == 0) throw Error("--collisions 0: it must be greater than 0");
   check_saving(options.saving, true);
@@ -60,21 +64,13 @@ Source find(const std::string& from) {
 
 /// The newest checkpoint that is whole.
 Checkpoint read_newest(const Source& source) {
-  std::vector<Problem> problems;
-  for (const std::string& path : source.checkpoints) {
-    std::error_code error;
-    if (!fs::exists(path, error)) continue;
-    try {
-      Checkpoint checkpoint = read_checkpoint(path);
-      for (const Problem& problem : problems) tell(to_string(problem));
-      if (path != source.checkpoints.front()) tell(fmt::format("going on from the checkpoint before it, {}", path));
-      return checkpoint;
-    } catch (const Error& failure) {
-      problems.insert(problems.end(), failure.problems().begin(), failure.problems().end());
-    }
+  std::optional<NewestCheckpoint> newest = read_newest_checkpoint(source.checkpoints);
+  if (!newest) throw Error("holds no checkpoint of a run", {source.directory});
+  for (const Problem& problem : newest->damaged) tell(to_string(problem));
+  if (newest->path != source.checkpoints.front()) {
+    tell(fmt::format("going on from the checkpoint before it, {}", newest->path));
   }
-  if (problems.empty()) throw Error("holds no checkpoint of a run", {source.directory});
-  throw Error(problems);
+  return std::move(newest->checkpoint);
 }
 
 /// Where the collision log is. Only a name in the run's own directory is taken from the checkpoint.

@@ -74,6 +74,7 @@ RunSettings settled(RunSettings settings, const RunOptions& options) {
   if (options.every) settings.every = options.every;
   if (options.every && settings.trajectory == TrajectoryFormat::none) settings.trajectory = TrajectoryFormat::xyz;
   if (options.trajectory) settings.trajectory = *options.trajectory;
+  if (!options.out.empty() && settings.trajectory == TrajectoryFormat::h5md) require_hdf5("H5MD trajectories need");
   if (!options.out.empty() && settings.trajectory != TrajectoryFormat::none && !settings.every) {
     throw UsageError("a trajectory needs --every DT (or `every` in the scene), the time between two frames");
   }

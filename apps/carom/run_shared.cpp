@@ -11,10 +11,14 @@
 
 namespace carom::program {
 
-void add_saving(CLI::App& command, SavingOptions& options) {
+void add_checkpoints(CLI::App& command, SavingOptions& options) {
   add_number(command, "--checkpoint-every", options.checkpoint_every, "simulated time between two checkpoints");
   add_number(command, "--checkpoint-minutes", options.checkpoint_minutes,
              "minutes between two checkpoints, 10 by default; there is one at the start and one at the end");
+}
+
+void add_saving(CLI::App& command, SavingOptions& options) {
+  add_checkpoints(command, options);
   add_number(command, "--max-minutes", options.max_minutes,
              "end the run after so many minutes; carom resume goes on with it");
 }
@@ -27,12 +31,16 @@ void require_time(const char* option, const std::optional<double>& value, bool z
                             zero_allowed ? "0 or more" : "greater than 0"));
 }
 
+void require_hdf5(const char* needs_it) {
+  if (!has_checkpoints()) throw Error(fmt::format("this carom was built without HDF5, which {}", needs_it));
+}
+
 void check_saving(const SavingOptions& options, bool saves) {
   require_time("--checkpoint-every", options.checkpoint_every, false);
   require_time("--checkpoint-minutes", options.checkpoint_minutes, false);
   require_time("--max-minutes", options.max_minutes, false);
   const bool asked = options.checkpoint_every || options.checkpoint_minutes;
-  if (asked && !has_checkpoints()) throw Error("this carom was built without HDF5, which checkpoints need");
+  if (asked) require_hdf5("checkpoints need");
   if (saves) return;
   if (options.checkpoint_every) throw UsageError("--checkpoint-every goes with --out DIR");
   if (options.checkpoint_minutes) throw UsageError("--checkpoint-minutes goes with --out DIR");

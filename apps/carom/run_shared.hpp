@@ -16,11 +16,17 @@ struct SavingOptions {
   std::optional<double> max_minutes;
 };
 
-/// --checkpoint-every, --checkpoint-minutes and --max-minutes.
+/// --checkpoint-every and --checkpoint-minutes.
+void add_checkpoints(CLI::App& command, SavingOptions& options);
+
+/// Those, and --max-minutes.
 void add_saving(CLI::App& command, SavingOptions& options);
 
 /// Throws Error if a time is out of range, and UsageError if there is nowhere to save to.
 void check_saving(const SavingOptions& options, bool saves);
+
+/// Throws Error in a build without HDF5, "which `needs_it`".
+void require_hdf5(const char* needs_it);
 
 /// Throws Error unless the value, if there is one, is finite and greater than 0 (or 0 where that is allowed).
 void require_time(const char* option, const std::optional<double>& value, bool zero_allowed);

@@ -15,6 +15,7 @@
 #include "options.hpp"
 #include "plots.hpp"
 #include "progress.hpp"
+#include "run_shared.hpp"
 #include "variation.hpp"
 
 namespace carom::program {
@@ -34,6 +35,7 @@ struct SweepOptions {
   std::vector<ObserveSpec> observe;
   std::optional<std::uint64_t> seed;
   SolverKind solver = SolverKind::fast;
+  SavingOptions saving;
   bool json = false;
   bool quiet = false;
 };
@@ -65,6 +67,7 @@ void check_options(const SweepOptions& options) {
   if (options.equilibrate && !(*options.equilibrate >= 0)) {
     throw UsageError(fmt::format("--equilibrate {}: it must be a time, 0 or more", *options.equilibrate));
   }
+  check_saving(options.saving, true);
 }
 
 /// Every value in the scene: what cannot be varied, or not so, is a matter of the command line.
@@ -91,6 +94,8 @@ SweepPlan planned(const SweepOptions& options) {
   plan.directory = options.out;
   plan.solver.kind = options.solver;
   plan.solver.simd = simd_from_environment();
+  plan.checkpoint_every = options.saving.checkpoint_every;
+  if (options.saving.checkpoint_minutes) plan.checkpoint_minutes = *options.saving.checkpoint_minutes;
   plan.command = command_line();
   plan.file = settled(read_scene(options.scene), options);
   try_variations(plan, options.scene);
@@ -102,6 +107,7 @@ std::string summary_json(const SweepEnd& end, const SweepOptions& options, const
   json["jobs"] = end.jobs;
   json["finished"] = end.rows.size();
   json["kept"] = end.kept;
+  json["resumed"] = end.resumed;
   json["interrupted"] = end.interrupted;
   json["directory"] = options.out;
   json["table"] = options.out + "/sweep.csv";
@@ -115,6 +121,7 @@ std::string summary_json(const SweepEnd& end, const SweepOptions& options, const
 std::string summary_text(const SweepEnd& end, const SweepOptions& options, const std::vector<std::string>& plots) {
   std::string text = fmt::format("{} of {} jobs are finished", end.rows.size(), end.jobs);
   if (end.kept > 0) text += fmt::format(", {} of them by an earlier sweep", end.kept);
+  if (end.resumed > 0) text += fmt::format("; {} went on from checkpoints", end.resumed);
   text += fmt::format("\n  each job       {0}/sweep.csv\n  averages       {0}/sweep_mean.csv\n", options.out);
   for (const std::string& plot : plots) text += fmt::format("  plot           {}\n", plot);
   return text;
@@ -122,6 +129,7 @@ std::string summary_text(const SweepEnd& end, const SweepOptions& options, const
 
 int conclude(const SweepEnd& end) {
   bool sound = end.failures.empty();
+  for (const std::string& damaged : end.damaged) tell(damaged + "; the job went on from the one before it");
   for (const std::string& failure : end.failures) tell(failure);
   for (const SweepRow& row : end.rows) {
     for (const std::string& violation : row.violations) {
@@ -130,7 +138,7 @@ int conclude(const SweepEnd& end) {
     }
   }
   if (end.interrupted) {
-    tell("interrupted; the same command goes on with the jobs that are left");
+    tell("interrupted; the same command goes on");
     return kInterrupted;
   }
   return sound ? kSuccess : kFailure;
@@ -181,6 +189,7 @@ void add_sweep(CLI::App& app, Action& action) {
   add_observables(*command, "--observe", options->observe,
                   "measure these observables instead of the scene's; 'carom run --help' lists them");
   add_solver(*command, options->solver);
+  add_checkpoints(*command, options->saving);
   add_count(*command, "--seed", options->seed,
             "take the place of the seeds in the scene, from which those of the jobs "
             "are derived");

@@ -27,10 +27,13 @@ std::optional<double> number_density(const System& system) {
   return static_cast<double>(system.size()) / area;
 }
 
+std::string settings_text(const RunSettings& settings) { return to_toml({{}, settings}); }
+
 /// How far one job is: written by its thread, read by the caller's.
 struct Share {
   std::atomic<double> done{0};
   std::atomic<std::uint64_t> collisions{0};
+  std::uint64_t before = 0;  // the job's collisions that an earlier call has computed: for its thread alone
 };
 
 class Sweep {
@@ -142,33 +145,65 @@ class Sweep {
 
   void run_job(std::size_t k) {
     const SweepJob& job = jobs_[k];
-    const std::string directory = directory_of(job);
-    fs::remove(fs::path(directory) / "job.json");
+    const fs::path finished = fs::path(directory_of(job)) / "job.json";
+    fs::remove(finished);
     const SceneFile file = scene_of_job(plan_, job, k);
-    RunPlan run;
-    run.settings = file.run;
-    run.solver = plan_.solver;
-    run.title = file.scene.title;
-    run.command = plan_.command;
-    run.interrupt = plan_.interrupt;
-    if (plan_.progress) {
-      run.progress = [&share = shares_[k]](double done, const Simulation& simulation) {
-        share.done = done;
-        share.collisions = simulation.books().collisions;
-      };
-    }
+    const RunPlan run = plan_of_job(k, file);
     Setup setup = realize(file.scene);
     const std::optional<double> density = number_density(setup.system);
-    run.directory.emplace(directory, true);
-    const RunEnd end = run_scene(std::move(setup), run);
+    const RunEnd end = begin_or_go_on(k, std::move(setup), run);
     if (end.interrupted) {
       fs::remove(run.directory->report());
       return;
     }
     SweepRow row{job, density, {}, {}, violations(end.record.summary)};
     row.results.digest = end.record.summary.digest;
-    write_file((fs::path(directory) / "job.json").string(), finished_job_json(row, plan_.varied));
+    write_file(finished.string(), finished_job_json(row, plan_.varied));
     finish(k);
+  }
+
+  RunPlan plan_of_job(std::size_t k, const SceneFile& file) {
+    RunPlan run;
+    run.settings = file.run;
+    run.solver = plan_.solver;
+    run.checkpoint_every = plan_.checkpoint_every;
+    run.checkpoint_minutes = plan_.checkpoint_minutes;
+    run.title = file.scene.title;
+    run.command = plan_.command;
+    run.interrupt = plan_.interrupt;
+    run.directory.emplace(directory_of(jobs_[k]), true);
+    if (plan_.progress) {
+      run.progress = [&share = shares_[k]](double done, const Simulation& simulation) {
+        share.done = done;
+        share.collisions = simulation.books().collisions - share.before;
+      };
+    }
+    return run;
+  }
+
+  RunEnd begin_or_go_on(std::size_t k, Setup setup, const RunPlan& run) {
+    std::optional<Checkpoint> checkpoint = checkpoint_of(setup, run);
+    if (!checkpoint) return run_scene(std::move(setup), run);
+    setup = {};
+    shares_[k].before = checkpoint->snapshot.books.collisions;
+    return resume_run(std::move(*checkpoint), run);
+  }
+
+  /// The last one of the job that an earlier call has left, if it is of the same scene and settings. What cannot be
+  /// read is not taken to be worthless: then this throws Error.
+  std::optional<Checkpoint> checkpoint_of(const Setup& setup, const RunPlan& run) {
+    if (!has_checkpoints()) return std::nullopt;
+    std::optional<NewestCheckpoint> newest =
+        read_newest_checkpoint({run.directory->checkpoint(), run.directory->previous_checkpoint()});
+    if (!newest) return std::nullopt;
+    Checkpoint& checkpoint = newest->checkpoint;
+    const bool same = checkpoint.scene_digest == digest(setup.system, setup.frame) &&
+                      settings_text(checkpoint.settings) == settings_text(run.settings);
+    if (!same) return std::nullopt;
+    const std::lock_guard lock(mutex_);
+    ++end_.resumed;
+    for (const Problem& problem : newest->damaged) end_.damaged.push_back(to_string(problem));
+    return std::move(checkpoint);
   }
 
   /// What is tabulated is read back from the files, so that it is the same whenever the job was run.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <system_error>
 
 #include "carom/base/digest.hpp"
 #include "carom/base/error.hpp"
@@ -95,5 +96,20 @@ Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name) {
 }
 
 Checkpoint read_checkpoint(const std::string& path) { return parse_checkpoint(read_file(path), display_name(path)); }
+
+std::optional<NewestCheckpoint> read_newest_checkpoint(const std::vector<std::string>& paths) {
+  std::vector<Problem> problems;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) continue;
+    try {
+      return NewestCheckpoint{read_checkpoint(path), path, problems};
+    } catch (const Error& failure) {
+      problems.insert(problems.end(), failure.problems().begin(), failure.problems().end());
+    }
+  }
+  if (!problems.empty()) throw Error(problems);
+  return std::nullopt;
+}
 
 }  // namespace carom

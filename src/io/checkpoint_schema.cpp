@@ -238,6 +238,7 @@ std::size_t expected_size(const Checkpoint& checkpoint) {
 }  // namespace
 
 std::string checkpoint_image(const Checkpoint& checkpoint) {
+  const InHdf5 inside;
   const std::string name = "checkpoint";
   const Handle file = create_image(name, expected_size(checkpoint));
   const Group root(file, name);
@@ -254,6 +255,7 @@ std::string checkpoint_image(const Checkpoint& checkpoint) {
 namespace {
 
 Checkpoint read_untried(std::string_view image, const std::string& name) {
+  const InHdf5 inside;
   const Handle file = open_image(image, name);
   const Group root(file, name);
   const double most = static_cast<double>(image.size()) / kBytesPerNumber;

@@ -70,6 +70,7 @@ class H5mdReader final : public TrajectoryReader {
   }
 
   std::optional<Setup> next() override {
+    const InHdf5 inside;
     if (next_ >= frames_) return std::nullopt;
     Setup setup{system_, {}};
     Frame& frame = setup.frame;
@@ -85,6 +86,7 @@ class H5mdReader final : public TrajectoryReader {
   }
 
   std::optional<FrameHeader> skip() override {
+    const InHdf5 inside;
     if (next_ >= frames_) return std::nullopt;
     return FrameHeader{disks_, time_at(next_++)};
   }
@@ -209,12 +211,14 @@ class H5mdReader final : public TrajectoryReader {
 };
 
 std::unique_ptr<TrajectoryReader> open_untried(const std::string& path, double bytes) {
+  const InHdf5 inside;
   prepare_hdf5();
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   return std::make_unique<H5mdReader>(opened(id, H5Fclose, path, "is not a sound HDF5 file"), path, bytes);
 }
 
 std::unique_ptr<TrajectoryReader> open_untried(std::string_view image, const std::string& name) {
+  const InHdf5 inside;
   return std::make_unique<H5mdReader>(open_image(image, name), name, static_cast<double>(image.size()));
 }
 

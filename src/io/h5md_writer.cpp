@@ -169,6 +169,7 @@ class H5mdWriter final : public TrajectoryWriter {
 
   void close() override {
     if (!file_.open()) return;
+    const InHdf5 inside;
     columns_.reset();
     disk_.prepare_closing();
     const bool closed = file_.close();
@@ -180,6 +181,7 @@ class H5mdWriter final : public TrajectoryWriter {
   /// The system's reason for a failure tells more than what the library made of it.
   template <typename Action>
   void with_reason(const Action& action) const {
+    const InHdf5 inside;
     try {
       action();
     } catch (const Error&) {

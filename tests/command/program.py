@@ -10,6 +10,7 @@ import unittest
 CAROM = os.environ["CAROM"]
 SOURCE = pathlib.Path(os.environ["CAROM_SOURCE"])
 SCENES = SOURCE / "scenes"
+HAS_HDF5 = os.environ.get("CAROM_HDF5", "ON") not in ("OFF", "0", "FALSE", "NO")
 
 TWO_DISKS = """
 [box]

@@ -10,9 +10,8 @@ import subprocess
 import time
 import unittest
 
-from program import CAROM, TWO_DISKS, ProgramTest, main
+from program import CAROM, HAS_HDF5, TWO_DISKS, ProgramTest, main
 
-HAS_HDF5 = os.environ.get("CAROM_HDF5", "ON") not in ("OFF", "0", "FALSE", "NO")
 
 
 @unittest.skipUnless(HAS_HDF5, "built without HDF5")
@@ -248,6 +247,24 @@ class Convert(ResumeTest):
         self.assertEqual(self.read("gas.toml"), text)
         leftover = [path.name for path in self.directory.iterdir() if ".part-" in path.name or ".new-" in path.name]
         self.assertEqual(leftover, [])
+
+
+@unittest.skipIf(HAS_HDF5, "built with HDF5")
+class WithoutHdf5(ProgramTest):
+    def test_what_needs_it_says_so(self):
+        self.write("scene.toml", TWO_DISKS)
+        self.succeed("run", "scene.toml", "--until", 1, "--out", "o")
+        self.write("c.h5", b"carom checkpoint\nversion 1\nbytes 0\nxxh3 2d06800538d394c2\n".ljust(512, b"\0"))
+        self.write("t.h5md", b"\x89HDF\r\n\x1a\n")
+        for words in (["resume", "o"], ["run", "scene.toml", "--until", 1, "--out", "p", "--checkpoint-every", 1],
+                      ["run", "scene.toml", "--until", 1, "--out", "p", "--every", 1, "--trajectory", "h5md"],
+                      ["sweep", "scene.toml", "--vary", "disk.1.mass=1,2", "--until", 1, "--out", "p",
+                       "--checkpoint-minutes", 1], ["info", "c.h5"], ["run", "c.h5", "--until", 1], ["info", "t.h5md"],
+                      ["convert", "scene.toml", "o.h5"], ["convert", "scene.toml", "o.h5md"],
+                      ["convert", "t.h5md", "o.xyz"], ["analyze", "t.h5md"]):
+            with self.subTest(words=words):
+                self.refuse(words, 1, "this carom was built without HDF5, which")
+                self.assertFalse(self.path("p").exists())
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ import subprocess
 import termios
 import time
 
-from program import CAROM, SCENES, TWO_DISKS, ProgramTest, main
+from program import CAROM, HAS_HDF5, SCENES, TWO_DISKS, ProgramTest, main
 
 KEYS = """disks packing_fraction time collisions wall_collisions wall_seconds collisions_per_second threads patches solver
 simd windows windows_repaired ties max_overlap energy_drift momentum_drift temperature pressure digest scene_digest
@@ -227,8 +227,9 @@ class Sources(RunTest):
 class Files(RunTest):
     def test_directory_holds_the_run(self):
         report = self.json_of("run", self.gas(), "--until", 1.5, "--out", "some/where")
+        checkpoints = ["checkpoint-1.h5", "checkpoint.h5"] if HAS_HDF5 else []
         self.assertEqual(sorted(p.name for p in self.path("some/where").iterdir()),
-                         ["checkpoint-1.h5", "checkpoint.h5", "final.xyz", "report.json", "scene.toml"])
+                         [*checkpoints, "final.xyz", "report.json", "scene.toml"])
         self.assertEqual(json.loads(self.read("some/where/report.json")), report)
         ((end, rows),) = self.frames("some/where/final.xyz")
         self.assertEqual((end, len(rows)), (1.5, 100))
@@ -376,7 +377,7 @@ class Interrupts(RunTest):
                 self.assertIn(f"Time={report['time']:g}", self.read(f"{out}/final.xyz").splitlines()[1])
                 self.assertLessEqual(self.frames(f"{out}/trajectory.xyz")[-1][0], report["time"])
                 self.assertIn("carom: interrupted", errors)
-                self.assertIn(out, errors)
+                self.assertEqual(f"carom resume {out} goes on" in errors, HAS_HDF5)
                 # What is kept is the true state at that time.
                 again = self.json_of("run", gas, "--until", report["time"])
                 self.assertEqual(again["digest"], report["digest"])

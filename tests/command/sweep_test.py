@@ -1,5 +1,5 @@
 """`carom sweep` makes a run of its own for every point and replica, with a seed of its own; its tables are the same
-bytes for any number of threads and wherever it was interrupted; it refuses what it cannot do before it begins."""
+bytes for any number of threads and wherever it was interrupted or killed; it refuses what it cannot do before it begins."""
 
 import csv
 import json
@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from program import CAROM, ProgramTest, main
+from program import CAROM, HAS_HDF5, ProgramTest, main
 
 GAS = """
 [box]
@@ -142,25 +142,101 @@ class SameBytes(SweepTest):
         self.assertEqual(self.tables("o"), tables)
         self.assertEqual((runs[5] / "report.json").stat().st_mtime_ns, kept)
 
-    def test_after_an_interrupt(self):
-        # The first two jobs are done in no time, the third one is not.
-        words = ["sweep", "gas.toml", "--vary", "run.collisions=100,200,300000", "--observe", "rate", "--out"]
-        self.succeed(*words, "whole")
-        child = subprocess.Popen([CAROM, *words, "o"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                 cwd=self.directory)
+
+
+class Stopped(SweepTest):
+    """The first two jobs are done in no time, the other two are not."""
+    WORDS = ["sweep", "gas.toml", "--vary", "run.collisions=100,200,300000,200000", "--observe", "rate,msd,pressure",
+             *(["--checkpoint-minutes", "1e-3"] if HAS_HDF5 else []), "--out"]
+    LONG = ("o/runs/run.collisions=300000,replica=1", "o/runs/run.collisions=200000,replica=1")
+
+    def start(self, *more):
+        return subprocess.Popen([CAROM, *self.WORDS, "o", *map(str, more)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                text=True, cwd=self.directory)
+
+    def wait_until(self, condition):
         deadline = time.monotonic() + 60
-        third = self.path("o/runs/run.collisions=300000,replica=1")
-        while not (third / "scene.toml").exists():
+        while not condition():
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.001)
-        child.send_signal(signal.SIGINT)
+
+    def collisions_in(self, directory):
+        """Those before the newest checkpoint."""
+        return self.json_of("info", f"{directory}/checkpoint.h5")["collisions_so_far"] if HAS_HDF5 else 0
+
+    def stop(self, number, *more):
+        """Sends the signal while the long jobs run: two at a time, or the third."""
+        # Written when the job begins or goes on: by then the program heeds signals.
+        sign = self.path(f"{self.LONG[0]}/{'checkpoint.h5' if HAS_HDF5 else 'scene.toml'}")
+        before = sign.stat().st_mtime_ns if sign.exists() else 0
+        child = self.start(*more)
+        self.wait_until(lambda: (sign.exists() and sign.stat().st_mtime_ns != before) or child.poll() is not None)
+        time.sleep(0.1)  # beyond the checkpoint at the job's start
+        child.send_signal(number)
         _, errors = child.communicate(timeout=60)
-        self.assertEqual(child.returncode, 130, errors)
+        return child.returncode, errors
+
+    def test_after_an_interrupt(self):
+        self.succeed(*self.WORDS, "whole")
+        code, errors = self.stop(signal.SIGINT)
+        self.assertEqual(code, 130, errors)
         self.assertIn("carom: interrupted", errors)
         # The tables hold what is finished; what was interrupted does not look so.
         self.assertEqual(self.read("o/sweep.csv"), "".join(self.read("whole/sweep.csv").splitlines(True)[:3]))
+        third = self.path(self.LONG[0])
         self.assertFalse((third / "report.json").exists() or (third / "job.json").exists())
-        self.succeed(*words, "o", "--threads", 2)
+        if HAS_HDF5:
+            self.assertGreater(self.collisions_in(self.LONG[0]), 1000)
+        done = json.loads(self.succeed(*self.WORDS, "o", "--threads", 2, "--json").stdout)
+        self.assertEqual((done["kept"], done["resumed"]), (2, 1 if HAS_HDF5 else 0))
+        self.assertEqual(self.tables("o"), self.tables("whole"))
+
+    def test_interrupted_and_killed_again_and_again(self):
+        self.succeed(*self.WORDS, "whole")
+        threads = (2, 1, 3, 2)
+        before = [0, 0]
+        for count, number in zip(threads, (signal.SIGINT, signal.SIGKILL, signal.SIGTERM, signal.SIGKILL)):
+            code, errors = self.stop(number, "--threads", count)
+            self.assertIn(code, (130, -9), errors)
+            # None begins anew.
+            after = [self.collisions_in(job) if self.path(f"{job}/checkpoint.h5").exists() else 0 for job in self.LONG]
+            for old, new in zip(before, after):
+                self.assertGreaterEqual(new, old)
+            before = after
+        self.assertTrue(before[0] > 1000 or not HAS_HDF5)
+        done = json.loads(self.succeed(*self.WORDS, "o", "--json").stdout)
+        self.assertEqual((done["finished"], done["resumed"]), (4, 2 if HAS_HDF5 else 0))
+        self.assertEqual(self.tables("o"), self.tables("whole"))
+        for job in self.LONG:
+            whole = job.replace("o/", "whole/", 1)
+            for name in ("final.xyz", "observables/msd.csv", "scene.toml"):
+                self.assertEqual(self.read(f"{job}/{name}"), self.read(f"{whole}/{name}"))
+
+    @unittest.skipUnless(HAS_HDF5, "there are no checkpoints without HDF5")
+    def test_damaged_and_foreign_checkpoints(self):
+        self.succeed(*self.WORDS, "whole")
+        self.stop(signal.SIGINT)
+        newest = self.path(f"{self.LONG[0]}/checkpoint.h5")
+        previous = self.path(f"{self.LONG[0]}/checkpoint-1.h5")
+        bytes_before = newest.read_bytes()
+        newest.write_bytes(bytes_before[:-100])
+        done = self.succeed(*self.WORDS, "o", "--json")
+        self.assertIn("checkpoint.h5: the checkpoint is damaged", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["resumed"], 1)
+        self.assertEqual(self.tables("o"), self.tables("whole"))
+        # With neither whole nothing is thrown away.
+        self.path(f"{self.LONG[0]}/job.json").unlink()
+        for path in (newest, previous):
+            path.write_bytes(path.read_bytes()[:-100])
+        done = self.carom(*self.WORDS, "o")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("run.collisions=300000,replica=1: ", done.stderr)
+        self.assertTrue(newest.exists() and previous.exists())
+        # One of another run is not gone on with.
+        for path in (newest, previous):
+            path.write_bytes(self.path(f"whole/runs/run.collisions=200000,replica=1/{path.name}").read_bytes())
+        done = json.loads(self.succeed(*self.WORDS, "o", "--json").stdout)
+        self.assertEqual((done["kept"], done["resumed"]), (3, 0))
         self.assertEqual(self.tables("o"), self.tables("whole"))
 
 

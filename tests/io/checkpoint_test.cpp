@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+#include <vector>
+
 #include "carom/base/random.hpp"
 #include "carom/io/file.hpp"
 #include "scenes.hpp"
@@ -80,6 +84,22 @@ TEST(Checkpoint, TellsWhatIsWrong) {
             "c.h5: this checkpoint has format 2, this carom reads formats up to 1: use a newer one");
   EXPECT_EQ(message_of([] { parse_checkpoint("carom checkpoint\nversion x\n", "c.h5"); }),
             "c.h5: the checkpoint is damaged: its head");
+}
+
+/// A file is tried in a child process first, which must not wait for threads that only its parent has.
+TEST(Checkpoint, AreReadWhileOtherThreadsWrite) {
+  const Checkpoint checkpoint = some_checkpoint();
+  const std::string bytes = checkpoint_bytes(checkpoint);
+  std::atomic<bool> enough{false};
+  std::vector<std::thread> writers;
+  for (int k = 0; k < 3; ++k) {
+    writers.emplace_back([&] {
+      while (!enough) EXPECT_EQ(checkpoint_bytes(checkpoint), bytes);
+    });
+  }
+  for (int k = 0; k < 30; ++k) EXPECT_NO_THROW(parse_checkpoint(bytes, "c.h5")) << k;
+  enough = true;
+  for (std::thread& writer : writers) writer.join();
 }
 
 TEST(Checkpoint, TheOneBeforeIsKept) {

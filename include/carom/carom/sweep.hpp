@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,9 @@ struct SweepPlan {
   unsigned threads = 1;   ///< jobs at a time
   std::string directory;  ///< for sweep.json, sweep.csv, sweep_mean.csv, and a directory runs/NAME for each job
   SolverOptions solver;
-  std::string command;  ///< as typed; goes into the reports
+  std::optional<double> checkpoint_every;  ///< simulated time between two checkpoints of a job
+  double checkpoint_minutes = 10;          ///< and time by the clock (in builds without HDF5 there are none)
+  std::string command;                     ///< as typed; goes into the reports
   /// Called about ten times a second from the caller's thread.
   std::function<void(const SweepProgress&)> progress;
   const std::atomic<bool>* interrupt = nullptr;  ///< stops all jobs when it becomes true
@@ -38,11 +41,12 @@ struct SweepPlan {
 /// How a sweep ended.
 struct SweepEnd {
   std::uint64_t jobs = 0;
-  std::uint64_t kept = 0;  ///< that were finished by an earlier call
+  std::uint64_t kept = 0;     ///< that were finished by an earlier call
+  std::uint64_t resumed = 0;  ///< that went on from a checkpoint of an earlier call
   bool interrupted = false;
-  std::vector<SweepRow> rows;           ///< of finished jobs, in the order of jobs
-  std::vector<std::string> violations;  ///< "NAME: why that run cannot be trusted"
-  std::vector<std::string> failures;    ///< "NAME: why that job could not be run"; then others may be missing
+  std::vector<SweepRow> rows;         ///< of finished jobs, in the order of jobs
+  std::vector<std::string> damaged;   ///< "FILE: what is wrong with this checkpoint"; the one before it was taken
+  std::vector<std::string> failures;  ///< "NAME: why that job could not be run"; then others may be missing
 };
 
 /// The jobs: all combinations of the values, the last key varying fastest, each with its replicas. Job j, counted from
@@ -50,8 +54,9 @@ struct SweepEnd {
 /// varied, the value itself. Throws Error if a key cannot be varied, or jobs would be copies of one another.
 std::vector<SweepJob> jobs_of_sweep(const SweepPlan& plan);
 
-/// Runs what is not finished yet and writes the tables; finished jobs are kept. Every scene is checked before the first
-/// job begins. The tables are the same bytes for any number of threads, and wherever the sweep was interrupted.
+/// Runs what is not finished yet and writes the tables: finished jobs are kept, others go on from their last
+/// checkpoints. Every scene is checked before the first job begins. The tables are the same bytes for any number of
+/// threads, and wherever and however often the sweep was stopped.
 /// Throws Error if the directory holds another sweep, a scene cannot be simulated (all of them), or a file cannot be
 /// written.
 SweepEnd run_sweep(const SweepPlan& plan);

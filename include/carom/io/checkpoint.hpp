@@ -5,7 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "carom/base/error.hpp"
 #include "carom/run/settings.hpp"
 #include "carom/run/simulation.hpp"
 #include "carom/run/sums.hpp"
@@ -53,5 +55,16 @@ void write_checkpoint(const std::string& path, const std::string& previous, cons
 /// that no run can have reached. `name` is what messages call the file.
 Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name);
 Checkpoint read_checkpoint(const std::string& path);
+
+/// A checkpoint, and what was wrong with newer ones.
+struct NewestCheckpoint {
+  Checkpoint checkpoint;
+  std::string path;
+  std::vector<Problem> damaged = {};
+};
+
+/// The first of these files that is whole; those that are not there do not count. Absent if there is none of them,
+/// throws Error with what is wrong with each if all are damaged.
+std::optional<NewestCheckpoint> read_newest_checkpoint(const std::vector<std::string>& paths);
 
 }  // namespace carom

@@ -1,5 +1,11 @@
 #include "handle.hpp"
 
+#include <unistd.h>
+
+#include <cassert>
+#include <condition_variable>
+#include <mutex>
+
 #include "carom/base/error.hpp"
 
 namespace carom::io {
@@ -16,7 +22,50 @@ std::string deepest_reason() {
   return reason;
 }
 
+/// Who is in the library, and who waits to fork. Not a shared mutex: that of one process is no good in its copy.
+struct Traffic {
+  std::mutex mutex;  // guards what follows, and is held while forking
+  std::condition_variable empty;
+  std::condition_variable open;
+  int inside = 0;           // threads in the library
+  int waiting_to_fork = 0;  // threads; newcomers stay out meanwhile, or these might wait forever
+};
+
+Traffic& traffic() {
+  static Traffic traffic;
+  return traffic;
+}
+
+thread_local int times_inside = 0;
+
 }  // namespace
+
+InHdf5::InHdf5() noexcept {
+  if (times_inside++ > 0) return;
+  std::unique_lock lock(traffic().mutex);
+  traffic().open.wait(lock, [] { return traffic().waiting_to_fork == 0; });
+  ++traffic().inside;
+}
+
+InHdf5::~InHdf5() {
+  if (--times_inside > 0) return;
+  const std::lock_guard lock(traffic().mutex);
+  if (--traffic().inside == 0 && traffic().waiting_to_fork > 0) traffic().empty.notify_all();
+}
+
+pid_t fork_outside_hdf5() noexcept {
+  assert(times_inside == 0);
+  std::unique_lock lock(traffic().mutex);
+  ++traffic().waiting_to_fork;
+  traffic().empty.wait(lock, [] { return traffic().inside == 0; });
+  const pid_t child = ::fork();
+  if (child == 0) {
+    traffic().waiting_to_fork = 0;  // the others are not here
+    return child;
+  }
+  if (--traffic().waiting_to_fork == 0) traffic().open.notify_all();
+  return child;
+}
 
 void prepare_hdf5() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -2,12 +2,26 @@
 #pragma once
 
 #include <hdf5.h>
+#include <sys/types.h>
 
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace carom::io {
+
+/// Lives as long as this thread is in the library, on its way in or out: whoever calls it has one. No process is forked
+/// meanwhile, as the new one would wait forever for the locks of threads that it does not have.
+class InHdf5 {
+ public:
+  InHdf5() noexcept;
+  ~InHdf5();
+  InHdf5(const InHdf5&) = delete;
+  InHdf5& operator=(const InHdf5&) = delete;
+};
+
+/// fork() while no thread is in the library; the caller is not in it either. In the new process it can be used.
+pid_t fork_outside_hdf5() noexcept;
 
 /// An HDF5 identifier and what closes it.
 class Handle {
@@ -30,7 +44,11 @@ class Handle {
   [[nodiscard]] hid_t id() const noexcept { return id_; }
   [[nodiscard]] bool open() const noexcept { return id_ >= 0; }
   /// False if the library reports a failure.
-  bool close() noexcept { return id_ < 0 || closer_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
+  bool close() noexcept {
+    if (id_ < 0) return true;
+    const InHdf5 inside;
+    return closer_(std::exchange(id_, H5I_INVALID_HID)) >= 0;
+  }
 
  private:
   hid_t id_ = H5I_INVALID_HID;

@@ -4,6 +4,9 @@
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <unistd.h>
 
 #include <array>
@@ -11,20 +14,32 @@
 #include <csignal>
 
 #include "carom/base/error.hpp"
+#include "handle.hpp"
 
 namespace carom::io {
 namespace {
 
-/// Nobody is to see the child's end: no message, no core file, no handler of ours.
+/// Nobody is to see the child's end: no message, no core file, no handler of ours. Ctrl-C is for the parent to heed: a
+/// child that it has ended would look like one that has crashed.
 void go_quietly() {
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
-  for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
+  for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(number, SIG_DFL);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
-[[noreturn]] void read_and_exit(const std::function<void()>& reading) {
+/// The child has copies of the parent's locks on directories, and is not to keep them when the parent is killed.
+void die_with(pid_t parent) {
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(1);
+#endif
+}
+
+[[noreturn]] void read_and_exit(const std::function<void()>& reading, pid_t parent) {
+  die_with(parent);
   go_quietly();
   try {
     reading();
@@ -49,8 +64,9 @@ bool ends_within(int pipe, double seconds) {
 void try_in_child(const std::function<void()>& reading, const std::string& file, double seconds) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return;  // out of descriptors: the file itself cannot be opened then
-  const pid_t child = ::fork();
-  if (child == 0) read_and_exit(reading);
+  const pid_t parent = ::getpid();
+  const pid_t child = fork_outside_hdf5();
+  if (child == 0) read_and_exit(reading, parent);
   ::close(pipe[1]);
   if (child < 0) {
     ::close(pipe[0]);
