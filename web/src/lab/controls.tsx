@@ -1,9 +1,9 @@
 // What is shown, and how the disks collide.
 import { NumberField } from '../ui/number-field';
 import { strings } from '../strings';
-import { bordered, engine, load, setBorder, setRestitution, setup } from './model';
+import { bordered, setBorder, setRestitution, setup } from './model';
 import { Masses } from './masses';
-import { presetSetup, presets } from './presets';
+import { PresetPictures } from './preset-pictures';
 import { Layer, layers, show, toggle } from './view';
 
 /** The mark beside a check box: what it switches on. */
@@ -57,17 +57,7 @@ export function Controls() {
   const words = strings.value;
   return (
     <div class="controls">
-      <div class="row">
-        <label for="preset">{words.preset}</label>
-        <select id="preset" value={setup.value.preset} onChange={(event) => choose(event.currentTarget.value)}>
-          {presets.map(({ name }) => (
-            <option key={name} value={name}>
-              {words.presets[name as keyof typeof words.presets]}
-            </option>
-          ))}
-          {!presets.some(({ name }) => name === setup.value.preset) && <option value={setup.value.preset}>{words.custom}</option>}
-        </select>
-      </div>
+      <PresetPictures />
       <fieldset class="layers">
         <legend>{words.show}</legend>
         {layers.map((layer) => (
@@ -95,9 +85,4 @@ export function Controls() {
       <Masses />
     </div>
   );
-}
-
-function choose(name: string): void {
-  const next = presetSetup(engine(), name);
-  if (next) load(next);
 }

@@ -77,7 +77,7 @@ describe('access', () => {
       expect(visible, name).toBe(true);
       reached.add(name);
     }
-    for (const id of ['tab-gas', 'open-share', 'theme', 'language', 'restart', 'play', 'next-contact', 'slow', 'add-disk', 'panel-derivation', 'preset', 'show-parts', 'restitution', 'border']) {
+    for (const id of ['tab-gas', 'open-share', 'theme', 'language', 'restart', 'play', 'next-contact', 'slow', 'add-disk', 'panel-derivation', 'preset-oblique', 'show-parts', 'restitution', 'border']) {
       expect([...reached]).toContain(id);
     }
     await context.close();

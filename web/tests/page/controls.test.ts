@@ -41,7 +41,7 @@ describe('disks and arrows', () => {
     await page.keyboard.press('ArrowUp');
     await page.keyboard.press('Shift+ArrowRight');
     expect((await row(1)).slice(4)).toEqual([1.01, 0.1]);
-    expect(await page.inputValue('#preset')).toBe('custom');
+    expect(await page.textContent('#preset-name')).toBe('Own set-up');
   });
   it('come and go, from 1 to 5', async () => {
     for (let k = 0; k < 5; ++k) await page.click('#add-disk', { force: true });
@@ -76,6 +76,7 @@ describe('the table', () => {
   it('pushes a disk that grows off the wall', async () => {
     await cell(1, 2).fill('1.8');
     await page.keyboard.press('Enter');
+    await expect.poll(() => value(1, 3)).toBeGreaterThanOrEqual(1.8 - 1e-9);
     const [, R, x, y] = await row(1);
     expect(R).toBe(1.8);
     expect(x! - R!).toBeGreaterThanOrEqual(-1e-9);
@@ -170,14 +171,24 @@ describe('what is shown', () => {
     expect(await page.locator('.wall').count()).toBe(2);
   });
   it('every preset plays to its first contact', async () => {
-    const names = await page.locator('#preset option').evaluateAll((options) => options.map((option) => (option as HTMLOptionElement).value));
+    const names = await page.locator('#presets input').evaluateAll((inputs) => inputs.map((input) => input.id));
     expect(names.length).toBeGreaterThanOrEqual(10);
     for (const name of names) {
-      await page.selectOption('#preset', name);
+      await page.check(`#${name}`, { force: true });
       await page.locator('body').press('n');
       expect(await page.textContent('.contacts'), name).not.toMatch(/^0 /);
       await page.keyboard.press('r');
     }
+  });
+  it('presets are chosen by keyboard, and their pictures show them', async () => {
+    await page.focus('#preset-oblique');
+    await page.keyboard.press('ArrowRight');
+    expect(await page.isChecked('#preset-headOn')).toBe(true);
+    expect(await page.textContent('#preset-name')).toBe('Head-on');
+    expect((await row(2)).slice(4)).toEqual([-0.5, 0]);
+    const picture = page.locator('label:has(#preset-headOn) svg');
+    expect(await picture.locator('circle').count()).toBe(2);
+    expect(await picture.locator('line').count()).toBe(2);
   });
 });
 

@@ -25,7 +25,7 @@ const cells = (): Promise<string[]> => page.locator('tbody input').evaluateAll((
 
 describe('sharing', () => {
   it('the address holds the state', async () => {
-    await page.selectOption('#preset', 'heavyOnLight');
+    await page.check('#preset-heavyOnLight', { force: true });
     await page.check('#show-paths');
     const before = await cells();
     await page.click('#open-share');
@@ -51,7 +51,7 @@ describe('sharing', () => {
     expect(rows.length).toBe(3);
     await page.click('#close-share');
     const before = await cells();
-    await page.selectOption('#preset', 'five');
+    await page.check('#preset-five', { force: true });
     await page.setInputFiles('#scene-file', scene);
     await expect.poll(cells).toEqual(before);
   });
@@ -73,7 +73,7 @@ describe('sharing', () => {
       document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
     }, text);
     await expect.poll(() => page.textContent('#said')).toContain('two-disk.toml');
-    expect(await page.inputValue('#preset')).toBe('custom');
+    expect(await page.textContent('#preset-name')).toBe('Own set-up');
   });
   it('the whole menu, language and theme are worked by keyboard', async () => {
     await page.focus('#open-share');
@@ -105,7 +105,7 @@ describe('sharing', () => {
   it('an address that cannot be is refused, with the reason', async () => {
     const opened = await open(lab.browser, `${lab.address}#lab&box=8,5,rr&e=1&disks=1,1,0,0,1,0.5;1.2,1,0,0,1,0.5`);
     expect(await opened.page.textContent('#said')).toContain('overlap');
-    expect(await opened.page.inputValue('#preset')).toBe('oblique');
+    expect(await opened.page.isChecked('#preset-oblique')).toBe(true);
     expect(opened.troubles).toEqual([]);
     await opened.context.close();
   });
