@@ -38,6 +38,7 @@ async function fromAddress(): Promise<{ close: () => Promise<void> }> {
 
 describe('masses', () => {
   it('go by slider; sizes stay and tints tell the denser disk', async () => {
+    await page.locator('#mass-2').scrollIntoViewIfNeeded();
     const track = (await page.locator('#mass-2').boundingBox())!;
     await page.mouse.click(track.x + track.width - 2, track.y + track.height / 2);
     await expect.poll(() => value(2, 1)).toBeCloseTo(10, 0);
