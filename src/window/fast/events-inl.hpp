@@ -358,9 +358,11 @@ class Events {
 
   /// Asks for what the next events will read.
   void prefetch() const {
-    if (Near::kReadsFar && far_) {
-      prefetch_in_steps();
-      return;
+    if constexpr (Near::kReadsFar) {
+      if (far_) {
+        prefetch_in_steps();
+        return;
+      }
     }
     calendar_.peek(1, [&](Index k) {
       __builtin_prefetch(&records_[k]);

@@ -92,8 +92,6 @@ class NearFromLists {
   void folded(Index k, Image /*turns*/, double time) { work_.renew_list(k, time); }
 
   void prefetch(Index k) const { __builtin_prefetch(&lists_[k]); }
-  void prefetch_around(Index /*k*/, Index /*partner*/) const {}
-  void prefetch_candidates(Index /*k*/, Index /*partner*/) const {}
 
  private:
   /// When the disk has gone as far from its list's centre as it may; kNever if not before `time` or the window's end.
