@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <sstream>
 
@@ -73,16 +76,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_version_flag(app);
 }
 
-int parse_and_act(CLI::App& app, const Action& action, int count, char** words) {
-  try {
-    app.parse(count, words);
-  } catch (const CLI::ParseError& error) {
-    return answer(app, error);
-  }
-  return action();
-}
-
-int run_program(int count, char** words) {
+int parse_and_act(int count, char** words) {
   CLI::App app("carom: exact, reproducible collisions of disks in two dimensions", "carom");
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
@@ -91,19 +85,44 @@ int run_program(int count, char** words) {
   Action action;
   add_commands(app, action);
   try {
-    return parse_and_act(app, action, count, words);
+    app.parse(count, words);
+    return action();
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error);
   } catch (const UsageError& error) {
     return fail_usage(app, error.what());
+  }
+}
+
+int run_program(int count, char** words) {
+  try {
+    remember_command_line(count, words);
+    return parse_and_act(count, words);
   } catch (const Interrupted&) {
     return kInterrupted;
   } catch (const Error& error) {
     for (const Problem& problem : error.problems()) tell(to_string(problem));
   } catch (const std::bad_alloc&) {
-    tell("out of memory");
+    tell("out of memory in: " + command_line());
   } catch (const std::exception& error) {
     tell(fmt::format("this should not happen, please report it: {}", error.what()));
   }
   return kFailure;
+}
+
+/// Destructors may need memory: those of JSON values do. An exception that leaves one ends up here.
+[[noreturn]] void on_termination() {
+  if (const std::exception_ptr failure = std::current_exception()) {
+    try {
+      std::rethrow_exception(failure);
+    } catch (const std::bad_alloc&) {
+      std::fputs("carom: out of memory\n", stderr);
+      _exit(kFailure);
+    } catch (...) {
+      // A fault of ours.
+    }
+  }
+  std::abort();
 }
 
 }  // namespace
@@ -123,6 +142,6 @@ int main(int count, char** words) {
   // A file at its size limit and a pipe that nobody reads are errors like any other.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
-  carom::program::remember_command_line(count, words);
+  std::set_terminate(carom::program::on_termination);
   return carom::program::run_program(count, words);
 }

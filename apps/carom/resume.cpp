@@ -63,14 +63,14 @@ Source find(const std::string& from) {
 }
 
 /// The newest checkpoint that is whole.
-Checkpoint read_newest(const Source& source) {
+NewestCheckpoint read_newest(const Source& source) {
   std::optional<NewestCheckpoint> newest = read_newest_checkpoint(source.checkpoints);
   if (!newest) throw Error("holds no checkpoint of a run", {source.directory});
   for (const Problem& problem : newest->damaged) tell(to_string(problem));
   if (newest->path != source.checkpoints.front()) {
     tell(fmt::format("going on from the checkpoint before it, {}", newest->path));
   }
-  return std::move(newest->checkpoint);
+  return std::move(*newest);
 }
 
 /// Where the collision log is. Only a name in the run's own directory is taken from the checkpoint.
@@ -87,7 +87,7 @@ std::optional<std::string> log_of(const Checkpoint& checkpoint, const ResumeOpti
       fmt::format("this run logs its collisions to {}, outside its directory: give --log-collisions {}", *log, *log));
 }
 
-RunPlan plan_of(const Checkpoint& checkpoint, const ResumeOptions& options, const std::string& directory) {
+RunPlan plan_of(const Checkpoint& checkpoint, const ResumeOptions& options, const OutputDirectory& directory) {
   RunPlan plan;
   plan.settings = checkpoint.settings;
   if (options.until || options.collisions) {
@@ -99,8 +99,8 @@ RunPlan plan_of(const Checkpoint& checkpoint, const ResumeOptions& options, cons
   plan.parallel = options.parallel;
   plan.title = checkpoint.title;
   plan.command = command_line();
-  plan.directory.emplace(OutputDirectory::of_run(directory));
-  plan.collisions_file = log_of(checkpoint, options, *plan.directory);
+  plan.directory = directory;
+  plan.collisions_file = log_of(checkpoint, options, directory);
   apply(options.saving, plan);
   return plan;
 }
@@ -108,9 +108,11 @@ RunPlan plan_of(const Checkpoint& checkpoint, const ResumeOptions& options, cons
 int resume_command(const ResumeOptions& options) {
   check_options(options);
   const Source source = find(options.from);
-  Checkpoint checkpoint = read_newest(source);
-  RunPlan plan = plan_of(checkpoint, options, source.directory);
-  const RunEnd end = with_progress(plan, options.quiet, [&] { return resume_run(std::move(checkpoint), plan); });
+  const OutputDirectory directory = OutputDirectory::of_run(source.directory);  // from now on nobody else writes there
+  NewestCheckpoint newest = read_newest(source);
+  RunPlan plan = plan_of(newest.checkpoint, options, directory);
+  plan.goes_on_from = newest.path;
+  const RunEnd end = with_progress(plan, options.quiet, [&] { return resume_run(std::move(newest.checkpoint), plan); });
   return conclude(end, options.json, source.directory);
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include "carom/base/error.hpp"
@@ -97,7 +98,10 @@ class SceneRun {
   }
 
   void go_on_with_files(const WrittenFiles& files) {
-    if (plan_.directory) plan_.directory->remove_unfinished_files();
+    if (plan_.directory) {
+      if (plan_.goes_on_from) plan_.directory->make_newest(*plan_.goes_on_from);
+      plan_.directory->remove_unfinished_files();
+    }
     if (plan_.collisions_file) log_ = std::make_unique<CollisionLog>(*plan_.collisions_file, files.log_bytes);
     const RunSettings& settings = plan_.settings;
     if (!writes_frames()) return;
@@ -276,8 +280,32 @@ class SceneRun {
 
 }  // namespace
 
-RunEnd run_scene(Setup setup, const RunPlan& plan) { return SceneRun(std::move(setup), plan).run(); }
+namespace {
 
-RunEnd resume_run(Checkpoint checkpoint, const RunPlan& plan) { return SceneRun(std::move(checkpoint), plan).run(); }
+[[noreturn]] void fail_for_memory(const RunPlan& plan, std::size_t disks) {
+  Place place;
+  if (plan.directory) place.file = plan.directory->path();
+  throw Error(fmt::format("out of memory: the run of {} disks cannot go on", disks), place);
+}
+
+}  // namespace
+
+RunEnd run_scene(Setup setup, const RunPlan& plan) {
+  const std::size_t disks = setup.system.size();
+  try {
+    return SceneRun(std::move(setup), plan).run();
+  } catch (const std::bad_alloc&) {
+    fail_for_memory(plan, disks);
+  }
+}
+
+RunEnd resume_run(Checkpoint checkpoint, const RunPlan& plan) {
+  const std::size_t disks = checkpoint.snapshot.system.size();
+  try {
+    return SceneRun(std::move(checkpoint), plan).run();
+  } catch (const std::bad_alloc&) {
+    fail_for_memory(plan, disks);
+  }
+}
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <system_error>
 
@@ -132,15 +133,21 @@ class Sweep {
   }
 
   /// False if no other job is to begin.
-  bool attempt(std::size_t k) noexcept {
+  bool attempt(std::size_t k) {
     try {
       if (!interrupted()) run_job(k);
       return !interrupted();
+    } catch (const std::bad_alloc&) {
+      fail(k, "out of memory");
     } catch (const std::exception& error) {
-      const std::lock_guard lock(mutex_);
-      end_.failures.push_back(jobs_[k].name + ": " + error.what());
-      return false;
+      fail(k, error.what());
     }
+    return false;
+  }
+
+  void fail(std::size_t k, const std::string& reason) {
+    const std::lock_guard lock(mutex_);
+    end_.failures.push_back(jobs_[k].name + ": " + reason);
   }
 
   void run_job(std::size_t k) {
@@ -156,7 +163,10 @@ class Sweep {
       fs::remove(run.directory->report());
       return;
     }
-    SweepRow row{job, density, {}, {}, violations(end.record.summary)};
+    SweepRow row;
+    row.job = job;
+    row.number_density = density;
+    row.violations = violations(end.record.summary);
     row.results.digest = end.record.summary.digest;
     write_file(finished.string(), finished_job_json(row, plan_.varied));
     finish(k);
@@ -181,29 +191,30 @@ class Sweep {
     return run;
   }
 
-  RunEnd begin_or_go_on(std::size_t k, Setup setup, const RunPlan& run) {
-    std::optional<Checkpoint> checkpoint = checkpoint_of(setup, run);
-    if (!checkpoint) return run_scene(std::move(setup), run);
+  RunEnd begin_or_go_on(std::size_t k, Setup setup, RunPlan run) {
+    std::optional<NewestCheckpoint> newest = checkpoint_of(setup, run);
+    if (!newest) return run_scene(std::move(setup), run);
     setup = {};
-    shares_[k].before = checkpoint->snapshot.books.collisions;
-    return resume_run(std::move(*checkpoint), run);
+    shares_[k].before = newest->checkpoint.snapshot.books.collisions;
+    run.goes_on_from = newest->path;
+    return resume_run(std::move(newest->checkpoint), run);
   }
 
   /// The last one of the job that an earlier call has left, if it is of the same scene and settings. What cannot be
   /// read is not taken to be worthless: then this throws Error.
-  std::optional<Checkpoint> checkpoint_of(const Setup& setup, const RunPlan& run) {
+  std::optional<NewestCheckpoint> checkpoint_of(const Setup& setup, const RunPlan& run) {
     if (!has_checkpoints()) return std::nullopt;
     std::optional<NewestCheckpoint> newest =
         read_newest_checkpoint({run.directory->checkpoint(), run.directory->previous_checkpoint()});
     if (!newest) return std::nullopt;
-    Checkpoint& checkpoint = newest->checkpoint;
+    const Checkpoint& checkpoint = newest->checkpoint;
     const bool same = checkpoint.scene_digest == digest(setup.system, setup.frame) &&
                       settings_text(checkpoint.settings) == settings_text(run.settings);
     if (!same) return std::nullopt;
     const std::lock_guard lock(mutex_);
     ++end_.resumed;
     for (const Problem& problem : newest->damaged) end_.damaged.push_back(to_string(problem));
-    return std::move(checkpoint);
+    return newest;
   }
 
   /// What is tabulated is read back from the files, so that it is the same whenever the job was run.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "carom/rule/batch.hpp"
@@ -79,10 +80,10 @@ class CollisionTable {
   void read_header(const io::CsvRow& row) {
     header_ = row.text;
     width_ = row.fields.size();
+    std::set<std::string_view> names;
     for (std::size_t field = 0; field < width_; ++field) {
       const std::string& name = row.fields[field];
-      const auto first = std::find(row.fields.begin(), row.fields.end(), name);
-      if (first != row.fields.begin() + static_cast<std::ptrdiff_t>(field)) {
+      if (!names.insert(name).second) {
         complain(row, field, fmt::format("column '{}' is there twice", name));
       } else if (std::find(kAppended.begin(), kAppended.end(), name) != kAppended.end()) {
         complain(row, field, fmt::format("column '{}' is there already: it is one of the results", name));
@@ -139,7 +140,7 @@ class CollisionTable {
   }
 
   void complain(const io::CsvRow& row, std::size_t field, std::string message) {
-    problems_.add(row.line, io::column_of_field(row.text, field), std::move(message));
+    problems_.add(row.line, problems_.full() ? 0 : io::column_of_field(row.text, field), std::move(message));
   }
 
   io::CsvRows rows_;

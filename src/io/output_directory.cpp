@@ -124,6 +124,13 @@ void OutputDirectory::remove_unfinished_files() const {
   }
 }
 
+void OutputDirectory::make_newest(const std::string& path) const {
+  std::error_code none;
+  if (fs::equivalent(path, checkpoint(), none)) return;
+  write_file(checkpoint(), read_file(path));
+  if (!fs::equivalent(path, previous_checkpoint(), none)) remove_file(previous_checkpoint());
+}
+
 void OutputDirectory::require_still_there() const {
   if (!lock_->is_at(path_)) throw Error("was deleted or replaced while the run was writing there", {path_});
 }

@@ -17,6 +17,8 @@ class ProblemList {
   [[nodiscard]] Place at(int line, int column = 0) const { return {file_, line, column}; }
   void add(int line, int column, std::string message);
   [[nodiscard]] std::size_t size() const noexcept { return found_; }
+  /// Whether what comes is only counted: its words and place do not matter.
+  [[nodiscard]] bool full() const noexcept { return found_ >= most_; }
   [[nodiscard]] bool empty() const noexcept { return found_ == 0; }
 
   /// In the order of the file; the last one may say how many more there are.

@@ -1,7 +1,11 @@
 // Scene files in TOML. The file is parsed by toml++; here its tables become a Scene and RunSettings.
+#include <fmt/format.h>
+
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "key_depth.hpp"
 #include "scene_reading.hpp"
 #include "toml_section.hpp"
 
@@ -9,6 +13,7 @@ namespace carom::io {
 namespace {
 
 constexpr std::size_t kMostProblems = 100;
+constexpr std::size_t kMostKeyParts = 256;
 
 const TomlSection::Names<Boundary> kBoundaries{
     {"periodic", Boundary::periodic}, {"reflecting", Boundary::reflecting}, {"open", Boundary::open}};
@@ -164,6 +169,9 @@ ReadScene failed(const Place& place, std::string message) {
 }  // namespace
 
 ReadScene read_toml(std::string_view text, const std::string& name) {
+  if (const std::optional<int> line = line_of_deeper_key(text, kMostKeyParts)) {
+    return failed({name, *line}, fmt::format("not valid TOML: a key of more than {} parts", kMostKeyParts));
+  }
   try {
     return TomlReader(name).read(toml::parse(text, name));
   } catch (const toml::parse_error& error) {

@@ -14,6 +14,7 @@ namespace {
 using About = Finding::About;
 
 constexpr std::size_t kMostOfAKind = 20;
+constexpr std::size_t kMostCounted = 100'000;  // of n disks at one place n²/2 pairs overlap
 /// Beyond these, squares and products of lengths leave the range of doubles.
 constexpr double kLargest = 1e75;
 constexpr double kSmallest = 1e-75;
@@ -23,7 +24,9 @@ class Kind {
  public:
   explicit Kind(std::vector<Finding>& findings, std::string_view rest) : findings_(findings), rest_(rest) {}
   ~Kind() {
-    if (found_ > kMostOfAKind) findings_.push_back({fmt::format("… and {} more {}", found_ - kMostOfAKind, rest_), {}});
+    if (found_ <= kMostOfAKind) return;
+    const std::string_view how_many = cut_short_ ? "at least " : "";
+    findings_.push_back({fmt::format("… and {}{} more {}", how_many, found_ - kMostOfAKind, rest_), {}});
   }
   Kind(const Kind&) = delete;
   Kind& operator=(const Kind&) = delete;
@@ -32,10 +35,15 @@ class Kind {
     if (++found_ <= kMostOfAKind) findings_.push_back({std::move(message), disk});
   }
 
+  [[nodiscard]] std::size_t count() const noexcept { return found_; }
+  /// There may be more than were found.
+  void cut_short() noexcept { cut_short_ = true; }
+
  private:
   std::vector<Finding>& findings_;
   std::string_view rest_;
   std::size_t found_ = 0;
+  bool cut_short_ = false;
 };
 
 bool usable(double value) noexcept { return std::isfinite(value) && std::abs(value) <= kLargest; }
@@ -170,6 +178,7 @@ void check_overlaps(const System& system, const Frame& frame, const std::vector<
   OverlapGrid grid(system.box, extent_of(system.box, frame), radii_of(system), system.size());
   std::vector<Overlap> overlaps;
   for (std::size_t k = 0; k < system.size(); ++k) {
+    if (kind.count() >= kMostCounted) return kind.cut_short();
     if (outside[k]) continue;
     overlaps.clear();
     grid.visit_near(frame.position(k), system.radius(k), [&](std::size_t other, Vec2 r) {

@@ -45,9 +45,9 @@ class RecoveryTest(ProgramTest):
         done.report = json.loads(done.stdout) if done.returncode == 0 else None
         return done
 
-    def start(self, *words):
+    def start(self, *words, variables=None):
         return subprocess.Popen([CAROM, *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                cwd=self.directory)
+                                cwd=self.directory, env={**os.environ, **(variables or {})})
 
     def has_checkpoint(self, out):
         return any(self.path(f"{out}/{name}").exists() for name in ("checkpoint.h5", "checkpoint-1.h5"))

@@ -65,6 +65,30 @@ class WritesTest(RecoveryTest):
                 self.assert_readable(out)
                 self.assert_resumes_to_the_same(out)
 
+    def check_going_on_from_the_one_before(self, damaged, name):
+        """Of two checkpoints the older one is gone on from, and that is killed, too."""
+        self.disturb("base", 2 * self.calls() // 3, KILL="1")
+        newest = self.path("base/checkpoint.h5")
+        if damaged:
+            newest.write_bytes(newest.read_bytes()[:-1])
+        number, ended = 1, False
+        while not ended:
+            with self.subTest(number=number, damaged=damaged):
+                shutil.rmtree(self.path("stopped"), ignore_errors=True)
+                shutil.copytree(self.path("base"), self.path("stopped"))
+                done = self.carom("resume", name, "--json", env={**os.environ, "LD_PRELOAD": SHIM, "KILL": "1",
+                                                                 "FAIL_AT": str(number)})
+                ended = done.returncode == 0
+                self.assertIn(done.returncode, (-9, 0))
+                self.assert_resumes_to_the_same("stopped")
+            number += 1 if number < 20 else 4 * EVERY  # it begins with what is to be tested
+
+    def test_killed_while_going_on_from_the_one_before_a_damaged_one(self):
+        self.check_going_on_from_the_one_before(True, "stopped")
+
+    def test_killed_while_going_on_from_the_older_one(self):
+        self.check_going_on_from_the_one_before(False, "stopped/checkpoint-1.h5")
+
 
 class WritesOfH5mdTest(WritesTest):
     FORMAT = "h5md"

@@ -106,6 +106,14 @@ TEST(BadCsv, TwentyProblemsAreToldAndTheRestCounted) {
   EXPECT_TRUE(message.ends_with("a.csv: … and 30 more problems")) << message;
 }
 
+TEST(BadCsv, AHeaderOfVeryManyColumnsIsReadInOneGo) {
+  constexpr int kColumns = 300'000;  // each compared with all others would take minutes
+  std::string text = HEADER;
+  for (int k = 0; k < kColumns; ++k) text += ",x1";
+  const std::string message = message_of([&] { collide_batch(text, "a.csv", 1); });
+  EXPECT_TRUE(message.ends_with("a.csv: … and 299980 more problems")) << message.substr(message.size() - 100);
+}
+
 TEST(BadCsv, RestitutionOutsideItsRangeIsRefused) {
   EXPECT_EQ(message_of([] { collide_batch(HEADER "\n", "a.csv", 1.5); }), "restitution is 1.5: it must lie in [0, 1]");
 }

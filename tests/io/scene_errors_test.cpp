@@ -208,6 +208,50 @@ TEST(Problems, AFaultyBoxDoesNotHideOverlaps) {
                       "s.toml:5:1: disk 0 and disk 1 have the same centre"}));
 }
 
+/// "a.a.a…" of so many parts.
+std::string key_of(std::size_t parts, const std::string& part = "a") {
+  std::string key = part;
+  for (std::size_t k = 1; k < parts; ++k) key += "." + part;
+  return key;
+}
+
+TEST(DeepToml, KeysOfVeryManyPartsDoNotReachTheStacksEnd) {
+  constexpr std::size_t kDeep = 1'000'000;
+  const std::string deep = key_of(kDeep);
+  const std::vector<std::string> texts{
+      deep + " = 1",
+      "[" + deep + "]",
+      "[[" + deep + "]]",
+      "x = {" + deep + " = 1}",
+      key_of(kDeep, R"("\"#=,")") + " = 1",
+      key_of(kDeep, " '\"=' ") + " = 1",
+      "x = {y = '', " + deep + " = 1}",
+      R"(x = {y = """a\"""b""""", )" + deep + " = 1}",
+      "x = {y = '''a''b''', " + deep + " = 1}",
+  };
+  for (const std::string& text : texts) {
+    EXPECT_EQ(refusal("\n" + text, "s.toml"), "s.toml:2: not valid TOML: a key of more than 256 parts")
+        << text.substr(0, 40);
+  }
+  EXPECT_EQ(refusal("x = \"\"\"\n'\n\"\"\"\n" + deep + " = 1", "s.toml"),
+            "s.toml:4: not valid TOML: a key of more than 256 parts");
+}
+
+TEST(DeepToml, DotsElsewhereAreNoKeys) {
+  const std::string dots(1000, '.');
+  std::string numbers = "0.5";
+  for (int k = 0; k < 1000; ++k) numbers += ", 0.5";
+  for (const std::string& line :
+       {"# " + dots, "title = \"" + dots + "\"", "title = '" + dots + "'", R"(title = "\")" + dots + "\"",
+        "title = \"\"\"\n" + dots + "\"\"\"\"\"", "title = '''\n" + dots + "\n'''"}) {
+    EXPECT_EQ(checked(line + "\n" SIZED DISK), Messages{}) << line.substr(0, 40);
+  }
+  EXPECT_EQ(refusal(SIZED "[[disk]]\nposition = [" + numbers + "]", "s.toml"),
+            "s.toml:4:12: position must be two numbers, e.g. [1.0, 2.0], not 1001");
+  EXPECT_EQ(refusal(key_of(256) + " = 1", "s.toml"),
+            "s.toml:1:1: unknown table 'a': the known ones are title, box, disk, gas, physics, run, observe");
+}
+
 TEST(Problems, AFaultyGasIsNotComplainedOfTwice) {
   EXPECT_EQ(
       checked(SIZED DISK DISK "[[gas]]\ncount = 0\n"),

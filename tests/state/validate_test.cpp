@@ -158,6 +158,14 @@ TEST(Validate, ListsTwentyOfAKindAndCountsTheRest) {
   EXPECT_FALSE(findings.back().disk);
 }
 
+TEST(Validate, DisksInAHeapAreNotCountedWithoutEnd) {
+  TestSystem test(kWalls);
+  for (int k = 0; k < 200'000; ++k) test.add({{5, 5}});  // 2·10¹⁰ pairs
+  const std::vector<Finding> findings = validate(test);
+  ASSERT_EQ(findings.size(), 21u);
+  EXPECT_EQ(findings.back().message.rfind("… and at least ", 0), 0u) << findings.back().message;
+}
+
 // --- against a search of all pairs and images ---------------------------------------------------------------------
 
 using PairSet = std::set<std::pair<std::size_t, std::size_t>>;

@@ -24,6 +24,7 @@ struct RunPlan {
   ParallelOptions parallel;
   std::optional<OutputDirectory> directory;    ///< for scene.toml, final.xyz, report.json, trajectory and checkpoints
   std::optional<std::string> collisions_file;  ///< a CSV file for the collision log
+  std::optional<std::string> goes_on_from;     ///< the file of the checkpoint given to resume_run(), if there is one
   std::optional<double> checkpoint_every;      ///< simulated time between two checkpoints
   double checkpoint_minutes = 10;              ///< and time by the clock; there is always one at start and end (in
                                                ///< builds without HDF5 there are none)

@@ -25,6 +25,10 @@ class OutputDirectory {
   void remove_old_run() const;
   /// Removes what a run that was killed has left half-written.
   void remove_unfinished_files() const;
+  /// For a run that is to go on from the checkpoint `path`: makes it the newest here, in one step and on the disk, and
+  /// removes what is later. To be called before the run's files are cut back to what it knows, so that at no moment
+  /// all checkpoints here are damaged or speak of what was cut off.
+  void make_newest(const std::string& path) const;
   /// Throws Error if the directory was deleted or has another in its place.
   void require_still_there() const;
 

@@ -68,6 +68,9 @@ pid_t fork_outside_hdf5() noexcept {
 }
 
 void prepare_hdf5() {
+  // Everything is closed by its Handle. When memory has failed it, the library's own cleaning up at exit may crash.
+  static const herr_t no_cleaning = H5dont_atexit();
+  static_cast<void>(no_cleaning);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   H5PLset_loading_state(0);
 }

@@ -70,8 +70,8 @@ const std::vector<FuzzedReader>& fuzzed_readers() {
       {"xyz", [](std::string_view bytes) { read_scene_called(bytes, "fuzz.xyz"); }},
       {"csv", read_batch},
       {"checkpoint", read_whole_checkpoint},
-      {"checkpoint_content", read_content},
-      {"h5md", read_frames}};
+      {"checkpoint_content", read_content, true},
+      {"h5md", read_frames, true}};
   return readers;
 }
 

@@ -11,6 +11,7 @@ namespace carom::test {
 struct FuzzedReader {
   const char* name;  ///< of the reader and of its folder of seeds
   void (*read)(std::string_view bytes);
+  bool needs_helper = false;  ///< hands most inputs to HDF5
 };
 
 /// toml, algs4, xyz, csv, checkpoint (the whole file), checkpoint_content (behind its checksum) and h5md.
