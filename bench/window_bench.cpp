@@ -233,7 +233,8 @@ void cells_beside_lists(benchmark::State& state, double packing) {
   Beside beside;
   for ([[maybe_unused]] auto _ : state) {
     const double lists_seconds = seconds_of([&] {
-      const Lists lists(near.setup.system, {{0, 0}, size}, std::max(reach - 1, 0.1), kSlack, near.records, near.ids, 0);
+      const Lists lists(near.setup.system, {{0, 0}, size}, std::max(reach - 1, 0.1), kSlack, near.records, near.ids,
+                        loops_for(usable_simd(std::nullopt), Neighbourhood::lists, true).list_steps);
       benchmark::DoNotOptimize(&lists[0]);
     });
     const double cells_seconds = seconds_of([&] {

@@ -18,14 +18,19 @@ bool same_bits(double a, double b) noexcept {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/// How far influence spreads with every contact of a disk, in mean spacings, with something to spare.
-constexpr double kDepth = 2;
+/// How far influence spreads with every contact of a disk, in mean spacings, with something to spare. Some of it runs
+/// ahead, as far as with kAhead contacts more, and in dilute gases as far as fast disks fly: kFlight root mean square
+/// ways for every spacing.
+constexpr double kDepth = 1.5;
+constexpr double kAhead = 2;
+constexpr double kFlight = 3;
 /// Root mean square ways that a disk goes before it counts as one that went far.
-constexpr double kFar = 5;
+constexpr double kFar = 4;
 
 struct Copies {
   double near = 0;
   double halo = 0;
+  double contacts = 0;  ///< per disk in the window
 };
 
 /// `contacts` per disk in the window, 0 if unknown.
@@ -47,7 +52,8 @@ Copies copies_for(const System& system, const State& start, double contacts, dou
   const double speed = std::sqrt(squares / static_cast<double>(2 * count));  // along either axis
   const double way = speed * start.clock.length * std::min(1.0, std::sqrt(2 / contacts));
   const double near = reach + 2 * (spacing + kFar * way);
-  return {near, near + depth * contacts * spacing};
+  const double spreads = std::max((contacts + kAhead) * spacing, kFlight * speed * start.clock.length);
+  return {near, near + depth * spreads, contacts};
 }
 
 /// Adds to a sum of seconds until it is stopped or ends.
@@ -405,8 +411,8 @@ class PatchedSolver final : public DividedSolver {
 /// they need is in the fastest cache.
 class Costs {
  public:
-  Costs(Vec2 size, const Copies& copies, std::size_t disks, double packing_fraction) noexcept
-      : size_(size), copies_(copies), disks_(static_cast<double>(disks)), dilute_(packing_fraction < 0.65) {
+  Costs(Vec2 size, const Copies& copies, std::size_t disks) noexcept
+      : size_(size), copies_(copies), disks_(static_cast<double>(disks)) {
     copies_.halo += std::sqrt(kDisksPerBin * size.x * size.y / disks_);  // whole bins are loaded
   }
 
@@ -414,14 +420,14 @@ class Costs {
 
   /// Of columns × rows patches on so many threads.
   [[nodiscard]] double divided(std::uint32_t columns, std::uint32_t rows, unsigned threads) const noexcept {
-    constexpr double kLoading = 0.27;  // of a disk into a patch
+    constexpr double kLoading = 1.3;  // of a disk into a patch: as much as so many contacts
     const double loaded = share(columns, rows, copies_.halo);
     // Copies are left alone from the outside to the inside; by Simpson's rule.
     const double middle = std::min(copies_.halo, 0.5 * copies_.halo + 1.5 * copies_.near);
     const double end = std::min(copies_.halo, 2 * copies_.near);
     const double advanced =
         loaded < 1 ? (loaded + 4 * share(columns, rows, middle) + share(columns, rows, end)) / 6 : 1;
-    const double patch = advanced * slowdown(loaded * disks_) + kLoading * loaded;
+    const double patch = advanced * slowdown(loaded * disks_) + kLoading / copies_.contacts * loaded;
     return patch * std::ceil(static_cast<double>(columns) * rows / threads);
   }
 
@@ -435,19 +441,16 @@ class Costs {
     return along(size_.x, columns) * along(size_.y, rows) / (size_.x * size_.y);
   }
 
-  /// Of contacts, where disks do not fit into the fastest cache. With grids of cells, which serve dilute systems, it
-  /// soon comes to an end: all is far then.
-  [[nodiscard]] double slowdown(double disks) const noexcept {
+  /// Of contacts, where the disks do not fit into the fast caches.
+  [[nodiscard]] static double slowdown(double disks) noexcept {
     constexpr double kFit = 20'000;
-    constexpr double kAllFar = 4.5;
-    const double slower = 1 + std::log2(1 + disks / kFit);
-    return dilute_ ? std::min(slower, kAllFar) : slower;
+    constexpr double kAllFar = 3.6;
+    return std::min(1 + 0.6 * std::log2(std::max(1.0, disks / kFit)), kAllFar);
   }
 
   Vec2 size_;
   Copies copies_;
   double disks_;
-  bool dilute_;
 };
 
 }  // namespace
@@ -462,7 +465,7 @@ ParallelOptions divided(const System& system, const State& start, const SolverOp
   const auto [low_y, high_y] = std::minmax_element(start.disks.y.begin(), start.disks.y.end());
   const double reach = 2 * system.largest_radius();
   const Vec2 size{std::max(*high_x - *low_x, reach), std::max(*high_y - *low_y, reach)};
-  const Costs costs(size, copies_for(system, start, 0, kDepth), system.size(), packing_fraction(system));
+  const Costs costs(size, copies_for(system, start, 0, kDepth), system.size());
   constexpr double kWorthIt = 0.9;
   constexpr std::uint32_t kMost = 128;
   double least = kWorthIt * costs.undivided();

@@ -75,11 +75,18 @@ double gas_collision_rate(const System& system, const Frame& frame, double root_
 
 }  // namespace
 
+double contacts_per_window(const System& system) noexcept {
+  constexpr std::size_t kLarge = 100'000;  // disks from which on even one thread gains by patches
+  constexpr double kDense = 0.65;
+  if (system.size() < kLarge) return 16;
+  return packing_fraction(system) < kDense ? 4 : 8;
+}
+
 double first_window_length(const System& system, const State& state) noexcept {
   const Motion motion = motion_of(state.disks);
   if (!(motion.fastest > 0)) return 1;
   const double rate = gas_collision_rate(system, state.disks, motion.root_mean_square);
-  const double wanted = kContactsPerWindow / rate;
+  const double wanted = contacts_per_window(system) / rate;
   return floor_to_power_of_two(std::min(wanted, longest_flight(system.box, motion.fastest)));
 }
 
@@ -95,10 +102,11 @@ double next_window_length(const System& system, const State& after, std::uint64_
   const double twice = clock.length * 2;
   const double longest = longest_flight(system.box, motion_of(after.disks).fastest);
   const double contacts = 2 * static_cast<double>(events) / static_cast<double>(system.size());
+  const double wanted = contacts_per_window(system);
   const bool half_is_exact = half >= kShortest && (clock.start + half) - clock.start == half;
-  if ((contacts > 2 * kContactsPerWindow || clock.length > longest) && half_is_exact) return half;
+  if ((contacts > 2 * wanted || clock.length > longest) && half_is_exact) return half;
   const bool starts_on_twice = std::floor(clock.start / twice) * twice == clock.start;
-  if (contacts < kContactsPerWindow / 3 && twice <= std::min(longest, kLongest) && starts_on_twice) return twice;
+  if (contacts < wanted / 3 && twice <= std::min(longest, kLongest) && starts_on_twice) return twice;
   return clock.length;
 }
 

@@ -25,8 +25,8 @@ TEST(WindowLength, HoldsAFewContactsPerDisk) {
     Simulation simulation(realize(gas(400, packing)));
     for (int k = 0; k < 4; ++k) simulation.run_window();
     const double contacts = 2 * static_cast<double>(simulation.books().collisions) / 400 / 4;
-    EXPECT_GT(contacts, kContactsPerWindow / 3) << packing;
-    EXPECT_LT(contacts, kContactsPerWindow * 2) << packing;
+    EXPECT_GT(contacts, contacts_per_window(simulation.system()) / 3) << packing;
+    EXPECT_LT(contacts, contacts_per_window(simulation.system()) * 2) << packing;
   }
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "crowd.hpp"
+#include "simd_parameter.hpp"
+#include "window/fast/loops.hpp"
 
 namespace carom::fast {
 namespace {
@@ -26,12 +28,14 @@ Crowd flying(Crowd crowd) {
   return crowd;
 }
 
+ListSteps steps_for(Simd simd) { return loops_for(simd, Neighbourhood::lists, true).list_steps; }
+
 /// From kStart on the disks' places are those in their records.
 class Walkers {
  public:
-  Walkers(const Box& box, int count, std::initializer_list<double> radii, double shell, std::uint64_t seed)
+  Walkers(Simd simd, const Box& box, int count, std::initializer_list<double> radii, double shell, std::uint64_t seed)
       : crowd(flying(Crowd(box, count, radii, seed))),
-        lists(crowd.system, {{0, 0}, box.size}, shell, kSlack, crowd.records, crowd.ids, kStart) {
+        lists(crowd.system, {{0, 0}, box.size}, shell, kSlack, crowd.records, crowd.ids, steps_for(simd), kStart) {
     for (Record& own : crowd.records) {
       const Vec2 place = predict::position_at(own.flight(), kStart);
       own = {place.x, place.y, 0, 0, 0, own.radius, predict::kNever, kNobody, 0};
@@ -112,6 +116,9 @@ Seen walk(Walkers& walkers, int rounds) {
   return seen;
 }
 
+using ListsTest = ForEverySimd;
+INSTANTIATE_TEST_SUITE_P(Lists, ListsTest, every_simd(), test_name_of);
+
 constexpr Boundary kPeriodic = Boundary::periodic;
 constexpr Boundary kReflecting = Boundary::reflecting;
 constexpr Boundary kOpen = Boundary::open;
@@ -122,9 +129,9 @@ constexpr std::array<std::array<Boundary, 2>, 6> kBoundaries{{{kPeriodic, kPerio
                                                               {kOpen, kPeriodic},
                                                               {kReflecting, kOpen}}};
 
-TEST(Lists, HoldAllThatTouchADisk) {
+TEST_P(ListsTest, HoldAllThatTouchADisk) {
   for (const auto& boundary : kBoundaries) {
-    Walkers walkers({{24, 17}, boundary}, 200, {0.5}, 0.6, 41);
+    Walkers walkers(GetParam(), {{24, 17}, boundary}, 200, {0.5}, 0.6, 41);
     const Seen seen = walk(walkers, 60);
     EXPECT_GT(seen.touching, 5'000U);
     EXPECT_GT(seen.brief, seen.lengthened);
@@ -132,9 +139,9 @@ TEST(Lists, HoldAllThatTouchADisk) {
   }
 }
 
-TEST(Lists, HoldAllThatTouchADiskAmongDisksOfManySizes) {
+TEST_P(ListsTest, HoldAllThatTouchADiskAmongDisksOfManySizes) {
   for (const auto& boundary : kBoundaries) {
-    Walkers walkers({{30, 20}, boundary}, 150, {0.01, 0.05, 0.3, 0.31, 1, 4}, 0.4, 42);
+    Walkers walkers(GetParam(), {{30, 20}, boundary}, 150, {0.01, 0.05, 0.3, 0.31, 1, 4}, 0.4, 42);
     const Seen seen = walk(walkers, 60);
     EXPECT_GT(seen.touching, 20'000U);
     EXPECT_GT(seen.brief, 500);
@@ -142,30 +149,30 @@ TEST(Lists, HoldAllThatTouchADiskAmongDisksOfManySizes) {
   }
 }
 
-TEST(Lists, HoldSeveralCopiesOfADiskInASmallBox) {
+TEST_P(ListsTest, HoldSeveralCopiesOfADiskInASmallBox) {
   for (const Vec2 size : {Vec2{1, 1}, Vec2{1.3, 2.1}, Vec2{2.5, 2.5}, Vec2{40, 1.01}}) {
     for (const auto& boundary : {kBoundaries[0], kBoundaries[4]}) {
-      Walkers walkers({size, boundary}, 6, {0.5, 0.4}, 3, 43);
+      Walkers walkers(GetParam(), {size, boundary}, 6, {0.5, 0.4}, 3, 43);
       const Seen seen = walk(walkers, 300);
       EXPECT_GT(seen.touching, 100U);
     }
   }
 }
 
-TEST(Lists, HoldAnyNumberOfDisks) {
+TEST_P(ListsTest, HoldAnyNumberOfDisks) {
   for (const auto& boundary : kBoundaries) {
-    Walkers walkers({{6, 5}, boundary}, 200, {0.5}, 0.5, 44);
+    Walkers walkers(GetParam(), {{6, 5}, boundary}, 200, {0.5}, 0.5, 44);
     const Seen seen = walk(walkers, 20);
     EXPECT_GT(seen.touching, 30'000U);
     EXPECT_GT(seen.lengthened, 2'000);
   }
 }
 
-TEST(Lists, GrowWithTheShellAndKnowTheirMeanLength) {
+TEST_P(ListsTest, GrowWithTheShellAndKnowTheirMeanLength) {
   Crowd crowd({{20, 20}, {kPeriodic, kPeriodic}}, 300, {0.5}, 45);
   double before = 0;
   for (const double shell : {0.1, 1.0, 4.0}) {
-    const Lists lists(crowd.system, {{0, 0}, {20, 20}}, shell, kSlack, crowd.records, crowd.ids, 0);
+    const Lists lists(crowd.system, {{0, 0}, {20, 20}}, shell, kSlack, crowd.records, crowd.ids, steps_for(GetParam()));
     std::size_t neighbours = 0;
     for (Index k = 0; k < crowd.size(); ++k) neighbours += neighbours_of(lists, k).size();
     EXPECT_DOUBLE_EQ(lists.mean_length(), static_cast<double>(neighbours) / 300);

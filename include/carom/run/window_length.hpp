@@ -9,10 +9,12 @@
 
 namespace carom {
 
-/// Contacts per disk that a window should hold.
-inline constexpr double kContactsPerWindow = 16;
+/// Contacts per disk that a window should hold. So many that what each window costs once is little beside them; fewer
+/// in systems that are divided into patches, because influence reaches less far into shorter windows, above all where
+/// disks fly far.
+double contacts_per_window(const System& system) noexcept;
 
-/// Length (time, a power of two) of the first window: about kContactsPerWindow at the collision rate of a gas of
+/// Length (time, a power of two) of the first window: about contacts_per_window at the collision rate of a gas of
 /// this density and temperature, and not so long that the fastest disk could cross a periodic box more than a few
 /// times; 1 where nothing moves.
 double first_window_length(const System& system, const State& state) noexcept;

@@ -430,9 +430,9 @@ struct LoopsOf {
 template <template <class, bool> class Near>
 Loops loops_near(bool one_kind) noexcept {
   return one_kind ? Loops{LoopsOf<Near, true>::process_events, LoopsOf<Near, true>::note_overlaps,
-                          TargetKernel::contact_times}
+                          TargetKernel::contact_times, TargetKernel::list_steps()}
                   : Loops{LoopsOf<Near, false>::process_events, LoopsOf<Near, false>::note_overlaps,
-                          TargetKernel::contact_times};
+                          TargetKernel::contact_times, TargetKernel::list_steps()};
 }
 
 Loops loops(Neighbourhood neighbourhood, bool one_kind) noexcept {

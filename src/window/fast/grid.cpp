@@ -30,7 +30,7 @@ Grid::Grid(const Box& box, const Extent& extent, double width, std::size_t point
   }
   columns_ = static_cast<std::size_t>(columns);
   far_ = {box.periodic(0) ? box.size.x / 2 : predict::kNever, box.periodic(1) ? box.size.y / 2 : predict::kNever};
-  slots_.assign(columns_ * static_cast<std::size_t>(rows) * kSlots, -1);
+  slots_.assign(columns_ * static_cast<std::size_t>(rows) * kSlots + 16, -1);
 }
 
 void Grid::insert(Index k, Vec2 point) {

@@ -77,36 +77,28 @@ class Grid {
   void insert(Index k, Vec2 point);
   void remove(Index k, Vec2 point);
 
-  /// Points found in one go, and room for what is written beyond the last.
-  struct Found {
-    static constexpr int kRoom = 128;
-    std::array<Index, kRoom> points;
-    int size = 0;
+  static constexpr int kSlots = 5;  ///< per cell; the last one is taken last
+  /// Slots of neighbouring cells: `rows` rows of `slots` slots, one row `stride` after the other. Behind a row 16 more
+  /// can be read.
+  struct Rows {
+    static constexpr int kMost = 120;  ///< slots in all
+    const Index* first = nullptr;
+    std::size_t stride = 0;
+    int slots = 0;
+    int rows = 0;
   };
-  /// The points in the cells within `reach` of `centre`. Returns false where there is more to tell: copies, cells with
-  /// many points, too many cells.
-  bool find_near(Vec2 centre, double reach, Found& found) const noexcept {
+
+  /// The cells within `reach` of `centre`; none where there is more to tell: copies, too many cells.
+  [[nodiscard]] Rows rows_near(Vec2 centre, double reach) const noexcept {
     const Range columns = range(axis_[0], centre.x, reach);
     const Range rows = range(axis_[1], centre.y, reach);
     const int slots = columns.count * kSlots;
-    if (!columns.inside || !rows.inside || slots * rows.count >= Found::kRoom) return false;
-    const Index* row =
-        slots_.data() +
-        (static_cast<std::size_t>(rows.first) * columns_ + static_cast<std::size_t>(columns.first)) * kSlots;
-    int size = 0;
-    int crowded = 0;
-    for (int b = 0; b < rows.count; ++b, row += columns_ * kSlots) {
-      for (int a = 0; a < slots; a += kSlots) {
-        for (int m = a; m < a + kSlots; ++m) {  // whether a slot is taken cannot be guessed: no branch asks
-          found.points[size] = row[m];
-          size += static_cast<int>(row[m] >= 0);
-        }
-        crowded |= static_cast<int>(row[a + kSlots - 1] >= 0);
-      }
-    }
-    found.size = size;
-    return crowded == 0;
+    if (!columns.inside || !rows.inside || slots * rows.count > Rows::kMost) return {};
+    const std::size_t first = static_cast<std::size_t>(rows.first) * columns_ + static_cast<std::size_t>(columns.first);
+    return {slots_.data() + first * kSlots, columns_ * kSlots, slots, rows.count};
   }
+  /// Whether both lie in the same cell.
+  [[nodiscard]] bool in_same_cell(Vec2 a, Vec2 b) const noexcept { return place_of(a) == place_of(b); }
   /// Half the box: a point farther than that has a copy that is nearer (length).
   [[nodiscard]] Vec2 far() const noexcept { return far_; }
 
@@ -154,8 +146,6 @@ class Grid {
     return range;
   }
 
-  static constexpr int kSlots = 5;  // per cell; the last one is taken last
-
   template <class Visit>
   void for_points_in(std::size_t cell, Visit visit) const {
     const Index* const slots = slots_.data() + cell * kSlots;
@@ -174,7 +164,7 @@ class Grid {
   std::array<GridAxis, 2> axis_;
   std::size_t columns_ = 1;
   Vec2 far_;
-  Array<Index> slots_;  // kSlots of each cell, the taken ones first; -1 where there is no point
+  Array<Index> slots_;  // kSlots of each cell, the taken ones first; -1 where there is no point; then room to read
   std::unordered_map<std::size_t, std::vector<Index>> surplus_;  // points that found no slot in their cell
 };
 

@@ -345,6 +345,68 @@ struct VectorKernel {
 #endif
   }
 
+#if HWY_TARGET == HWY_AVX3
+  /// See ListSteps.
+  static int find_in_list(const Grid::Rows& rows, const List* lists, Index k, double range_squared, double far_squared,
+                          Index* found) {
+    constexpr int kAtOnce = 3 * Grid::kSlots;
+    constexpr unsigned kLastSlots = 0x4210;  // of each cell
+    const hn::FixedTag<std::int32_t, 16> d32;
+    int candidates = 0;
+    unsigned full = 0;
+    const Index* row = rows.first;
+    for (int b = 0; b < rows.rows; ++b, row += rows.stride) {
+      for (int a = 0; a < rows.slots; a += kAtOnce) {
+        const auto slots = hn::LoadU(d32, row + a);
+        const unsigned here = (1U << std::min(rows.slots - a, kAtOnce)) - 1;
+        const auto taken =
+            static_cast<__mmask16>(_mm512_mask_cmpge_epi32_mask(here, slots.raw, _mm512_setzero_si512()));
+        hn::StoreU(hn::Compress(slots, hn::Mask512<std::int32_t>{taken}), d32, found + candidates);
+        candidates += std::popcount(static_cast<unsigned>(taken));
+        full |= taken & kLastSlots;
+      }
+    }
+    const Doubles d;
+    const hn::FixedTag<std::int32_t, kLanes> half;
+    hn::StoreU(hn::Set(half, k), half, found + candidates);
+    const Vector here_x = hn::Set(d, lists[k].x);
+    const Vector here_y = hn::Set(d, lists[k].y);
+    Vector farthest = hn::Zero(d);
+    int size = 0;
+    for (int first = 0; first < candidates; first += kLanes) {
+      Vector x, y;
+      const auto disks = hn::LoadU(half, found + first);
+      load_pairs(reinterpret_cast<const Record*>(lists), found + first, offsetof(List, x), x, y);
+      const Vector rx = hn::Sub(x, here_x);
+      const Vector ry = hn::Sub(y, here_y);
+      const Vector distance_squared = hn::Add(hn::Mul(rx, rx), hn::Mul(ry, ry));
+      farthest = hn::Max(farthest, distance_squared);
+      const Lanes near = hn::Lt(distance_squared, hn::Set(d, range_squared));
+      const auto kept = static_cast<__mmask8>(_mm256_mask_cmpneq_epi32_mask(near.raw, disks.raw, _mm256_set1_epi32(k)));
+      hn::StoreU(hn::Compress(disks, hn::Mask256<std::int32_t>{kept}), half, found + size);
+      size += std::popcount(static_cast<unsigned>(kept));
+    }
+    const bool all = (full == 0) & (hn::GetLane(hn::MaxOfLanes(d, farthest)) < far_squared);
+    return all ? size : -1;
+  }
+  static int drop_from_lists(List* lists, const Index* disks, int count, Index k) {
+    constexpr int kBefore = offsetof(List, near) / sizeof(Index);
+    const hn::FixedTag<std::int32_t, 16> d;
+    for (int m = 0; m < count; ++m) {
+      List& list = lists[disks[m]];
+      if ((list.traits & List::kLong) != 0) return m;
+      const unsigned found = hn::Eq(hn::Load(d, reinterpret_cast<const Index*>(&list)), hn::Set(d, k)).raw >> kBefore;
+      if (found == 0) continue;
+      list.near[std::countr_zero(found)] = list.near[--list.count];
+      list.near[list.count] = disks[m];
+    }
+    return count;
+  }
+  static ListSteps list_steps() noexcept { return {find_in_list, drop_from_lists}; }
+#else
+  static ListSteps list_steps() noexcept { return scalar_list_steps(); }
+#endif
+
   static HWY_INLINE void pad(Index k, Index* near, int size) {
     const hn::FixedTag<std::int32_t, HWY_MIN(8, HWY_LANES(std::int32_t))> d;
     hn::StoreU(hn::Set(d, k), d, near + size);

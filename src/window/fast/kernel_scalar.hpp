@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "cells.hpp"
+#include "lists.hpp"
 #include "record.hpp"
 
 namespace carom::fast {
@@ -127,6 +128,8 @@ struct ScalarKernel {
     for (unsigned m = 0; m < Cells::kSlots; ++m) found |= static_cast<unsigned>(slots[m] == what) << m;
     return found;
   }
+
+  static ListSteps list_steps() noexcept { return scalar_list_steps(); }
 
   static void pad(Index /*k*/, Index* /*near*/, int /*size*/) noexcept {}
 };

@@ -4,15 +4,74 @@
 #include <cmath>
 
 namespace carom::fast {
+namespace {
+
+/// The disks in these slots; how many there are, or -1 if a cell is full.
+int disks_in(const Grid::Rows& rows, Index* disks) noexcept {
+  int size = 0;
+  int full = 0;
+  const Index* row = rows.first;
+  for (int b = 0; b < rows.rows; ++b, row += rows.stride) {
+    for (int a = 0; a < rows.slots; a += Grid::kSlots) {
+      for (int m = a; m < a + Grid::kSlots; ++m) {  // whether a slot is taken cannot be guessed: no branch asks
+        disks[size] = row[m];
+        size += static_cast<int>(row[m] >= 0);
+      }
+      full |= static_cast<int>(row[a + Grid::kSlots - 1] >= 0);
+    }
+  }
+  return full == 0 ? size : -1;
+}
+
+/// ListSteps::find with a range of its own for every disk.
+template <class RangeSquared>
+int find_within(const Grid::Rows& rows, const List* lists, Index k, double far_squared, Index* found,
+                RangeSquared range_squared) noexcept {
+  const int candidates = disks_in(rows, found);
+  double farthest = 0;
+  int size = 0;
+  for (int m = 0; m < candidates; ++m) {
+    const Index other = found[m];
+    const Vec2 r{lists[other].x - lists[k].x, lists[other].y - lists[k].y};
+    const double distance_squared = dot(r, r);
+    farthest = std::max(farthest, distance_squared);
+    found[size] = other;  // kept if it is near, which cannot be guessed either
+    size += static_cast<int>(distance_squared < range_squared(other)) & static_cast<int>(other != k);
+  }
+  return candidates < 0 || !(farthest < far_squared) ? -1 : size;
+}
+
+int find_plainly(const Grid::Rows& rows, const List* lists, Index k, double range_squared, double far_squared,
+                 Index* found) {
+  return find_within(rows, lists, k, far_squared, found, [=](Index) { return range_squared; });
+}
+
+int drop_plainly(List* lists, const Index* disks, int count, Index k) {
+  for (int m = 0; m < count; ++m) {
+    List& list = lists[disks[m]];
+    if ((list.traits & List::kLong) != 0) return m;
+    int place = -1;
+    for (int n = 0; n < List::kRoom; ++n) place = list.near[n] == k ? n : place;
+    if (place < 0) continue;
+    list.near[place] = list.near[--list.count];
+    list.near[list.count] = disks[m];
+  }
+  return count;
+}
+
+}  // namespace
+
+ListSteps scalar_list_steps() noexcept { return {find_plainly, drop_plainly}; }
 
 Lists::Lists(const System& system, const Extent& extent, double shell, double slack, const Array<Record>& records,
-             const Array<DiskId>& ids, double time)
+             const Array<DiskId>& ids, const ListSteps& steps, double time)
     : box_(system.box),
       records_(records),
       ids_(ids),
       shell_(shell),
       slack_(slack),
       leash_(shell / 2),
+      steps_(steps),
       lists_(records.size()) {
   make_levels(system, extent);
   for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
@@ -69,56 +128,62 @@ void Lists::make_levels(const System& system, const Extent& extent) {
 
 void Lists::renew(Index k, Vec2 place) {
   Grid& grid = levels_[level_of(records_[k].radius)].grid;
-  for_neighbours(k, [&](const Neighbour& neighbour) { drop(neighbour.disk, k); });
-  grid.remove(k, centre(k));
+  drop_everywhere(k);
+  if (!grid.in_same_cell(centre(k), place)) {
+    grid.remove(k, centre(k));
+    grid.insert(k, place);
+  }
   clear(k);
   lists_[k].x = place.x;
   lists_[k].y = place.y;
   look_around(k, true);
-  grid.insert(k, place);
+}
+
+/// Takes disk k out of the lists of its neighbours.
+void Lists::drop_everywhere(Index k) {
+  const List& list = lists_[k];
+  if ((list.traits & List::kLong) != 0) {
+    for (const Neighbour& neighbour : long_[list.near[0]].neighbours) drop(neighbour.disk, k);
+    return;
+  }
+  for (int m = 0; m < list.count; ++m) {
+    m += steps_.drop(lists_.data(), list.near.data() + m, list.count - m, k);
+    if (m < list.count) drop(list.near[m], k);
+  }
 }
 
 void Lists::look_around(Index k, bool both_ways) {
   for (const Level& level : levels_) {
     if (level.largest_radius == 0) continue;
-    Grid::Found found;
     const double reach = records_[k].radius + level.largest_radius + shell_ + slack_;
-    if (!level.grid.find_near(centre(k), reach, found) || !take_near(k, reach, level.grid.far(), found, both_ways)) {
-      look_around_at(level, k, reach, both_ways);
-    }
+    if (!take_near(k, reach, level.grid, both_ways)) look_around_at(level, k, reach, both_ways);
   }
   if (near_wall(k)) lists_[k].traits |= List::kNearWall;
 }
 
-/// Enters those of the found disks that are near. Returns false, with nothing done, if one may lie beyond a seam.
-bool Lists::take_near(Index k, double reach, Vec2 far, Grid::Found& found, bool both_ways) {
-  const int size = one_radius_ ? keep_near<true>(k, reach, far, found) : keep_near<false>(k, reach, far, found);
+/// Enters the disks of a level that are near. Returns false, with nothing done, if one may lie beyond a seam.
+bool Lists::take_near(Index k, double reach, const Grid& grid, bool both_ways) {
+  const Grid::Rows rows = grid.rows_near(centre(k), reach);
+  if (rows.rows == 0) return false;
+  std::array<Index, ListSteps::kRoom> found;
+  const double least = std::min(grid.far().x, grid.far().y);
+  const int size = one_radius_ ? steps_.find(rows, lists_.data(), k, reach * reach, least * least, found.data())
+                               : find_of_any_size(rows, k, least * least, found.data());
   if (size < 0) return false;
   for (int m = 0; m < size; ++m) {
-    add(k, {found.points[m], {}});
-    if (both_ways) add(found.points[m], {k, {}});
+    add(k, {found[m], {}});
+    if (both_ways) add(found[m], {k, {}});
   }
   return true;
 }
 
-/// Keeps those of the found disks that are near, and says how many; -1 if one may lie beyond a seam.
-template <bool kOneRadius>
-int Lists::keep_near(Index k, double reach, Vec2 far, Grid::Found& found) const {
-  const Vec2 here = centre(k);
+/// As ListSteps::find, for disks of different sizes.
+int Lists::find_of_any_size(const Grid::Rows& rows, Index k, double far_squared, Index* found) const {
   const double radius = records_[k].radius;
-  double farthest = 0;
-  int size = 0;
-  for (int m = 0; m < found.size; ++m) {
-    const Index other = found.points[m];
-    const Vec2 r = centre(other) - here;
-    const double distance_squared = dot(r, r);
-    const double range = kOneRadius ? reach : radius + records_[other].radius + shell_ + slack_;
-    farthest = std::max(farthest, distance_squared);
-    found.points[size] = other;  // kept if it is near, which cannot be guessed: no branch asks
-    size += static_cast<int>(distance_squared < range * range) & static_cast<int>(other != k);
-  }
-  const double least = std::min(far.x, far.y);
-  return farthest < least * least ? size : -1;
+  return find_within(rows, lists_.data(), k, far_squared, found, [&](Index other) {
+    const double range = radius + records_[other].radius + shell_ + slack_;
+    return range * range;
+  });
 }
 
 /// The same for any disks, copies too.
@@ -184,16 +249,8 @@ void Lists::lengthen(Index k) {
 
 /// Takes every copy of `disk` out of the list of k.
 void Lists::drop(Index k, Index disk) {
-  List& list = lists_[k];
-  if ((list.traits & List::kLong) != 0) {
-    std::erase_if(long_[list.near[0]].neighbours, [disk](const Neighbour& other) { return other.disk == disk; });
-    return;
-  }
-  int place = -1;
-  for (int m = 0; m < List::kRoom; ++m) place = list.near[m] == disk ? m : place;
-  if (place < 0) return;
-  list.near[place] = list.near[--list.count];
-  list.near[list.count] = k;
+  if (steps_.drop(lists_.data(), &k, 1, disk) == 1) return;
+  std::erase_if(long_[lists_[k].near[0]].neighbours, [disk](const Neighbour& other) { return other.disk == disk; });
 }
 
 }  // namespace carom::fast

@@ -32,12 +32,28 @@ struct alignas(64) List {
 };
 static_assert(sizeof(List) == 64);
 
+/// The hot steps of making plain lists, for one set of instructions.
+struct ListSteps {
+  static constexpr int kRoom = Grid::Rows::kMost + 16;
+
+  /// Writes to `found` which disks in these slots, other than k, have their centres nearer to k's than the square root
+  /// of `range_squared`; returns how many. Returns -1 if that may not be all: a cell is full, or a disk is so far
+  /// that a copy may be nearer. All disks are in `lists`; `found` has room for kRoom.
+  int (*find)(const Grid::Rows& rows, const List* lists, Index k, double range_squared, double far_squared,
+              Index* found) = nullptr;
+  /// Takes disk k out of the lists of these. Returns how many it did: it stops at one that is long.
+  int (*drop)(List* lists, const Index* disks, int count, Index k) = nullptr;
+};
+
+/// Without vector instructions.
+ListSteps scalar_list_steps() noexcept;
+
 /// Lists reach to contact distance + shell; a disk that has gone half a shell from its list's centre needs a new one.
 class Lists {
  public:
   /// Around where the disks are at `time`. `slack`: more than rounding can move a disk.
   Lists(const System& system, const Extent& extent, double shell, double slack, const Array<Record>& records,
-        const Array<DiskId>& ids, double time = 0);
+        const Array<DiskId>& ids, const ListSteps& steps, double time = 0);
 
   [[nodiscard]] List& operator[](Index k) noexcept { return lists_[k]; }
   [[nodiscard]] const List& operator[](Index k) const noexcept { return lists_[k]; }
@@ -84,9 +100,9 @@ class Lists {
   [[nodiscard]] std::size_t level_of(double radius) const noexcept;
   void make_levels(const System& system, const Extent& extent);
   void look_around(Index k, bool both_ways);
-  bool take_near(Index k, double reach, Vec2 far, Grid::Found& found, bool both_ways);
-  template <bool kOneRadius>
-  [[nodiscard]] int keep_near(Index k, double reach, Vec2 far, Grid::Found& found) const;
+  bool take_near(Index k, double reach, const Grid& grid, bool both_ways);
+  [[nodiscard]] int find_of_any_size(const Grid::Rows& rows, Index k, double far_squared, Index* found) const;
+  void drop_everywhere(Index k);
   void look_around_at(const Level& level, Index k, double reach, bool both_ways);
   [[nodiscard]] bool near_wall(Index k) const noexcept;
   void clear(Index k);
@@ -108,6 +124,7 @@ class Lists {
   double shell_;
   double slack_;
   double leash_;
+  ListSteps steps_;
 
   Array<List> lists_;
   std::vector<Long> long_;

@@ -19,6 +19,7 @@ struct Loops {
   /// `near` and `times` go on for another 8 entries, the former with k. For tests and benchmarks.
   void (*contact_times)(const Record* records, Index k, const Index* near, int count, const Shifts& shifts,
                         double* times) = nullptr;
+  ListSteps list_steps;
 };
 
 /// The loops for these instructions. `one_kind`: all disks have one radius and one mass.

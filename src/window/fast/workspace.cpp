@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "carom/base/simd.hpp"
+#include "loops.hpp"
+
 namespace carom::fast {
 namespace {
 
@@ -42,6 +45,12 @@ Extent extent_of(const Frame& disks) noexcept {
 }
 
 }  // namespace
+
+Workspace::Workspace(const System& of, const SolverOptions& options)
+    : system(of),
+      options_(options),
+      list_steps_(loops_for(usable_simd(options.simd), Neighbourhood::lists, true).list_steps),
+      packing_fraction_(packing_fraction(of)) {}
 
 void Workspace::begin_window(const State& start, Books& to, std::vector<Collision>* rows) {
   books = &to;

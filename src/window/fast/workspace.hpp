@@ -56,8 +56,7 @@ struct Contact {
 /// One window's disks, lists and calendar. Members above the line are read and written by the hot loop (Events).
 class Workspace {
  public:
-  Workspace(const System& of, const SolverOptions& options)
-      : system(of), options_(options), packing_fraction_(packing_fraction(of)) {}
+  Workspace(const System& of, const SolverOptions& options);
 
   /// Loads the window's start, unless it is the end of the window closed before.
   void open(const State& start, Books& to, std::vector<Collision>* rows);
@@ -173,6 +172,7 @@ class Workspace {
   [[nodiscard]] std::uint32_t generation_before(Index k, double time) const noexcept;
 
   SolverOptions options_;
+  ListSteps list_steps_;
   const State* start_ = nullptr;
   bool closed_ = false;          // the records stand at the end of a window
   double rate_ = 0;              // events entered per time in the window before; 0 if unknown

@@ -90,12 +90,12 @@ void Workspace::build_lists(const Extent& range) {
   constexpr double kTooMany = 20;
   const double least = 4 * slack_;
   double shell = std::max(options_.shell > 0 ? options_.shell : default_shell(range), least);
-  lists = std::make_unique<Lists>(system, range, shell, slack_, records, ids, 0);
+  lists = std::make_unique<Lists>(system, range, shell, slack_, records, ids, list_steps_);
   // Where the disks crowd in a part of the plane, the mean density said too little.
   while (options_.shell == 0 && shell / 2 >= least && shell > 0.2 * records[0].radius &&
          lists->mean_length() > kTooMany) {
     shell /= 2;
-    lists = std::make_unique<Lists>(system, range, shell, slack_, records, ids, 0);
+    lists = std::make_unique<Lists>(system, range, shell, slack_, records, ids, list_steps_);
   }
 }
 
@@ -111,7 +111,8 @@ void Workspace::widen_lists(double time) {
   renewals_now_ = 0;
   const double shell = 2 * lists->shell();
   if (shell > widest_shell()) return;
-  lists = std::make_unique<Lists>(system, part_ ? *part_ : extent(time), shell, slack_, records, ids, time);
+  lists =
+      std::make_unique<Lists>(system, part_ ? *part_ : extent(time), shell, slack_, records, ids, list_steps_, time);
   predicted = false;
   first_unpredicted = 0;
   if (!patched) return;
