@@ -43,7 +43,7 @@ describe('addresses', () => {
   }
   it('of a gas', () => {
     const gas = { ...defaults, number: 5000, boundary: 'half' as const, seed: 9 };
-    const view = { pace: 0.1, colour: 'order' as const, tag: true };
+    const view = { pace: 0.1, colour: 'order' as const, tag: true, record: true };
     expect(gasOf(gasHash(gas, view))).toEqual(gas);
     expect(gasViewOf(gasHash(gas, view))).toEqual(view);
     expect(gasViewOf(gasHash(gas))).toEqual(usualGasView);

@@ -1,8 +1,9 @@
 // What the gas is made of, and what is done with it.
-import { strings } from '../strings';
+import { useEffect } from 'preact/hooks';
+import { counted, shown, strings } from '../strings';
 import { NumberField } from '../ui/number-field';
 import type { Colour, GasParameters } from './messages';
-import { ask, change, colour, limits, parameters, said, tagging, wallStands } from './model';
+import { ask, change, colour, limits, parameters, recorded, recording, running, said, setRecording, tagging, wallStands } from './model';
 
 interface RowProps {
   name: keyof typeof limits;
@@ -73,6 +74,7 @@ export function GasControls() {
           <input type="checkbox" id="gas-tag" checked={tagging.value} onChange={() => (tagging.value = !tagging.value)} />
           <span>{words.tag}</span>
         </label>
+        <RecordingSwitch />
         {p.boundary === 'half' && (
           <button type="button" id="gas-remove-wall" aria-disabled={!wallStands.value} onClick={removeWall}>
             {words.removeWall}
@@ -80,6 +82,28 @@ export function GasControls() {
         )}
       </fieldset>
     </div>
+  );
+}
+
+function RecordingSwitch() {
+  const words = strings.value.gas;
+  const kept = recorded.value;
+  // While the gas runs they are counted when it is measured.
+  useEffect(() => {
+    if (recording.value && !running.value) ask({ kind: 'countRecorded' });
+  }, [running.value]);
+  return (
+    <>
+      <label>
+        <input type="checkbox" id="gas-record" checked={recording.value} onChange={() => setRecording(!recording.value)} />
+        <span>{words.record}</span>
+      </label>
+      {kept && (
+        <p class="note" id="gas-recorded">
+          {words.recordedIs(counted(kept.count), shown(kept.from), counted(kept.most))}
+        </p>
+      )}
+    </>
   );
 }
 

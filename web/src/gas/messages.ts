@@ -17,10 +17,13 @@ export interface GasParameters {
 
 export type Request =
   | { kind: 'start'; module: WebAssembly.Module }
-  | { kind: 'make'; toml: string; equalSpeeds: boolean; half: boolean }
+  | { kind: 'make'; toml: string; equalSpeeds: boolean; half: boolean; record: boolean }
   | { kind: 'advance'; time: number; colour: Colour; tag: boolean; measure: boolean }
   | { kind: 'reverse' }
   | { kind: 'removeWall' }
+  | { kind: 'record'; on: boolean }
+  | { kind: 'countRecorded' }
+  | { kind: 'saveRecorded' }
   | { kind: 'save' };
 
 /** The disks as they are drawn: x, y and a colour from 0 to 1 (below 0: none) for each. */
@@ -63,6 +66,15 @@ export interface Measured {
   h: number;
 }
 
+/** Contacts that are kept to be saved. */
+export interface Recorded {
+  count: number;
+  /** As many as are kept at most. */
+  most: number;
+  /** The time from which they are kept. */
+  from: number;
+}
+
 export interface Made {
   kind: 'made';
   width: number;
@@ -83,4 +95,6 @@ export type Answer =
   /** At the moment the wall should stand again; it does if no disk is over it. */
   | { kind: 'wallBack'; over: number }
   | { kind: 'saved'; toml: string }
+  | ({ kind: 'recorded' } & Recorded)
+  | { kind: 'savedRecorded'; csv: Blob }
   | { kind: 'error'; message: string };

@@ -2,8 +2,8 @@
 import { batch, signal } from '@preact/signals';
 import { startWorker } from '#worker';
 import { tomlNumber } from '../engine/scene';
-import { shown, strings } from '../strings';
-import type { Answer, Colour, GasParameters, Made, Measured, Picture, Request } from './messages';
+import { counted, shown, strings } from '../strings';
+import type { Answer, Colour, GasParameters, Made, Measured, Picture, Recorded, Request } from './messages';
 
 export const defaults: GasParameters = {
   number: 2000,
@@ -36,6 +36,9 @@ export const running = signal(false);
 export const pace = signal(1);
 export const colour = signal<Colour>('speed');
 export const tagging = signal(false);
+/** Whether collisions are being recorded, and what is kept of them; that is there also when no more are. */
+export const recording = signal(false);
+export const recorded = signal<Recorded | null>(null);
 export const box = signal<Made | null>(null);
 /** Whether the gas is held in the left half. */
 export const wallStands = signal(false);
@@ -54,6 +57,7 @@ let module: WebAssembly.Module;
 let worker: Worker | null = null;
 let onPicture: (picture: Picture) => void = () => undefined;
 let onSaved: (toml: string) => void = () => undefined;
+let onSavedRecorded: (csv: Blob) => void = () => undefined;
 let ratesSeen = 0;
 
 export function startGas(compiled: WebAssembly.Module): void {
@@ -99,6 +103,7 @@ export function makeGas(): void {
     history.value = [];
     measured.value = null;
     said.value = '';
+    recorded.value = null;
   });
   ratesSeen = 0;
   const made = opened.value === null;
@@ -108,6 +113,7 @@ export function makeGas(): void {
     toml: opened.value ?? gasToml(parameters.value),
     equalSpeeds: made && speeds === 'equal',
     half: made && boundary === 'half',
+    record: recording.value,
   });
   ask({ kind: 'advance', time: 0, colour: colour.value, tag: tagging.value, measure: true });
 }
@@ -122,6 +128,25 @@ export function change(next: Partial<GasParameters>): void {
 export function saveGas(then: (toml: string) => void): void {
   onSaved = then;
   ask({ kind: 'save' });
+}
+
+/** What was recorded before is lost when recording starts anew. */
+export function setRecording(on: boolean): void {
+  recording.value = on;
+  ask({ kind: 'record', on });
+}
+
+/** Calls back with the table of what was recorded. */
+export function saveRecorded(then: (csv: Blob) => void): void {
+  onSavedRecorded = then;
+  ask({ kind: 'saveRecorded' });
+}
+
+/** Says when no more are kept. */
+function noteRecorded(next: Recorded): void {
+  const full = next.count === next.most && (recorded.value?.count ?? 0) < next.most;
+  recorded.value = next;
+  if (full) said.value = strings.value.gas.recordingFull(counted(next.most));
 }
 
 function hear(answer: Answer): void {
@@ -153,6 +178,12 @@ function hear(answer: Answer): void {
       break;
     case 'saved':
       onSaved(answer.toml);
+      break;
+    case 'recorded':
+      noteRecorded(answer);
+      break;
+    case 'savedRecorded':
+      onSavedRecorded(answer.csv);
       break;
     case 'error':
       batch(() => {

@@ -1,5 +1,6 @@
 // Runs the gas beside the page, so that neither waits for the other.
 import { Engine } from '../engine/module';
+import { csvHeader } from '../share/table';
 import { Measurer } from './measure';
 import type { Answer, Colour, Request } from './messages';
 
@@ -19,6 +20,8 @@ let pace = 0.001;
 let start = { x: new Float64Array(), y: new Float64Array(), time: 0 };
 /** The wall that holds the gas in the left half: where it stands, and when it was taken away, turned over likewise. */
 let wall: { x: number; removedAt: number } | null = null;
+/** Whether contacts are being recorded. */
+let recording = false;
 /** The disk that is tagged: the one nearest to the middle at the start. */
 let tagged = 0;
 
@@ -35,7 +38,7 @@ function made(continues: boolean): void {
   say({ kind: 'made', width: size.x, height: size.y, room: wall ? 2 * wall.x : size.x, kinds, continues });
 }
 
-function make({ toml, equalSpeeds, half }: Request & { kind: 'make' }): void {
+function make({ toml, equalSpeeds, half, record }: Request & { kind: 'make' }): void {
   engine.setInput(toml);
   count = engine.tryCall('gas_open', -1);
   if (equalSpeeds) engine.tryCall('gas_equal_speeds', 0);
@@ -44,6 +47,27 @@ function make({ toml, equalSpeeds, half }: Request & { kind: 'make' }): void {
   wall = half ? { x: engine.numbers('gas_summary', 12)[9]!, removedAt: NaN } : null;
   made(false);
   tagged = nearestToMiddle();
+  recording = false;
+  if (record) setRecording(true);
+}
+
+function setRecording(on: boolean): void {
+  recording = on;
+  engine.tryCall('gas_record', 0, on ? 1 : 0);
+  sayRecorded();
+}
+
+function sayRecorded(): void {
+  const [contacts, most, from] = engine.numbers('gas_recorded', 3);
+  say({ kind: 'recorded', count: contacts!, most: most!, from: from! });
+}
+
+/** The table is put together in parts, none of which is large. */
+function saveRecorded(): void {
+  const parts = [`${csvHeader}\n`];
+  const next = (row: number): number => engine.tryCall('gas_recorded_rows', -1, row);
+  for (let row = 0, rows = next(0); rows > 0; row += rows, rows = next(row)) parts.push(engine.text());
+  say({ kind: 'savedRecorded', csv: new Blob(parts, { type: 'text/csv;charset=utf-8' }) });
 }
 
 function nearestToMiddle(): number {
@@ -163,12 +187,15 @@ function show(request: Request & { kind: 'advance' }): void {
   const measured = request.measure ? measurer.measure(engine, count) : null;
   if (measured && wall) measured.inHalf = shareInHalf();
   if (request.measure) engine.call('gas_measure_anew');
+  if (request.measure && recording) sayRecorded();
   const disks = disksOf(request.colour);
   const work = performance.now() - begin;
   say({ kind: 'picture', disks, tagged: request.tag ? placeOfTagged() : null, time: time(), limited: !arrived, work, measured }, [disks.buffer]);
 }
 
 async function answer(request: Request): Promise<void> {
+  // Of a first gas that could not be made there is nothing to ask.
+  if (count === 0 && request.kind !== 'start' && request.kind !== 'make') return;
   switch (request.kind) {
     case 'start':
       engine = await Engine.start(request.module);
@@ -177,13 +204,22 @@ async function answer(request: Request): Promise<void> {
       make(request);
       break;
     case 'advance':
-      if (count > 0) show(request);
+      show(request);
       break;
     case 'reverse':
       reverse();
       break;
     case 'removeWall':
       removeWall();
+      break;
+    case 'record':
+      setRecording(request.on);
+      break;
+    case 'countRecorded':
+      sayRecorded();
+      break;
+    case 'saveRecorded':
+      saveRecorded();
       break;
     case 'save':
       engine.tryCall('gas_toml', 0);

@@ -6,6 +6,7 @@ import { inflateSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { open } from '../browser';
+import { carom, root } from '../engine';
 import { openedLab } from './lab';
 
 const lab = openedLab('#gas&number=200&packing=0.1&seed=3');
@@ -112,13 +113,15 @@ describe('its controls', () => {
       await page.focus(`#gas-${id}`);
       await page.keyboard.press('ArrowDown');
     }
-    await page.focus('#gas-tag');
-    await page.keyboard.press(' ');
+    for (const id of ['tag', 'record']) {
+      await page.focus(`#gas-${id}`);
+      await page.keyboard.press(' ');
+    }
     await page.focus('#pace');
     await page.keyboard.press('Home');
     expect(await page.getAttribute('#pace', 'aria-valuetext')).toContain('0.01');
     await expect.poll(() => reading('kT'), { timeout: 20000 }).toBeGreaterThan(1.7);
-    const said = { number: '150', packing: '0.2', temperature: '2', boundary: 'reflecting', restitution: '0.9', fraction: '0.4', radiusRatio: '1.5', massRatio: '3', speeds: 'maxwell', seed: '8', pace: '0.01', colour: 'kind', tag: '1' };
+    const said = { number: '150', packing: '0.2', temperature: '2', boundary: 'reflecting', restitution: '0.9', fraction: '0.4', radiusRatio: '1.5', massRatio: '3', speeds: 'maxwell', seed: '8', pace: '0.01', colour: 'kind', tag: '1', record: '1' };
     expect(await address()).toEqual(said);
     await page.evaluate(() => (document.activeElement as HTMLElement).blur());
     await page.keyboard.press(' ');
@@ -188,6 +191,66 @@ function imagesOf(pdf: Buffer): number[][][] {
   }
   return found;
 }
+
+describe('its collisions', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'carom-collisions-'));
+  async function download(work: () => Promise<unknown>): Promise<string> {
+    const [download] = await Promise.all([page.waitForEvent('download'), work()]);
+    const path = join(folder, download.suggestedFilename());
+    await download.saveAs(path);
+    return path;
+  }
+  async function openShare(): Promise<void> {
+    await page.focus('#open-share');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#dialog-share[open]');
+  }
+  const linesOf = (path: string): string[] => readFileSync(path, 'utf8').trim().split('\n');
+  /** The program's log of the same scene, with as many rows. */
+  function logged(scene: string, like: string[]): string[] {
+    const log = join(folder, 'log.csv');
+    const until = Number(like.at(-1)!.split(',')[0]) + 1e-3;
+    carom(['run', scene, '--until', `${until}`, '--log-collisions', log, '--json', '--quiet']);
+    return linesOf(log).slice(0, like.length);
+  }
+  it('are recorded and saved, by keyboard, as the program logs those of the same scene', async () => {
+    await page.waitForSelector('#gas-time');
+    await openShare();
+    const scene = await download(() => page.press('#save-scene', 'Enter'));
+    expect(await page.getAttribute('#save-collisions', 'aria-disabled')).toBe('true');
+    expect(await page.textContent('#none-recorded')).toContain('Record collisions');
+    await page.keyboard.press('Escape');
+    await page.focus('#gas-record');
+    await page.keyboard.press(' ');
+    await page.waitForSelector('#gas-recorded');
+    await page.focus('#gas-play');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => reading('collisions'), { timeout: 20000 }).toBeGreaterThan(100);
+    await page.keyboard.press('Enter');
+    await openShare();
+    const found = linesOf(await download(() => page.press('#save-collisions', 'Enter')));
+    expect(found.length).toBeGreaterThan(100);
+    expect(found).toEqual(logged(scene, found));
+    await page.click('#close-share');
+    expect(await page.textContent('#gas-recorded')).toContain(`${found.length - 1} recorded from time 0.00 on, at most 200,000`);
+  });
+  it('are recorded of a scene that was opened, and begin anew with it, by mouse, in German', async () => {
+    await page.selectOption('#language', 'de');
+    await page.click('#gas-record');
+    const scene = `${root}scenes/mixture.toml`;
+    await page.setInputFiles('#scene-file', scene);
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('läuft als Gas'));
+    await page.click('#gas-play');
+    await expect.poll(() => page.textContent('#gas-recorded'), { timeout: 20000 }).toMatch(/^\d+\.\d{3} aufgezeichnet ab Zeit 0,00/);
+    await page.click('#gas-play');
+    await page.click('#gas-record');
+    await page.click('#gas-play');
+    await page.click('#open-share');
+    const found = linesOf(await download(() => page.click('#save-collisions')));
+    expect(found.length).toBeGreaterThan(1000);
+    expect(found).toEqual(logged(scene, found));
+  });
+});
 
 describe('its picture', () => {
   const folder = mkdtempSync(join(tmpdir(), 'carom-gas-'));
