@@ -107,6 +107,20 @@ void Gas::resize(Vec2 size) {
   go_on_with(std::move(setup));
 }
 
+void Gas::add_disk(Species kind, Vec2 place) {
+  Setup setup = setup_now();
+  setup.system.add_disk(kind);
+  setup.frame.add_disk(place, {});
+  go_on_with(std::move(setup));
+}
+
+void Gas::remove_last_disk() {
+  Setup setup = setup_now();
+  setup.system.species_of.pop_back();
+  setup.frame.resize(setup.system.size());
+  go_on_with(std::move(setup));
+}
+
 // The window in flight is gone through once more: nobody took note of it.
 void Gas::start_recording() {
   auto again = std::make_unique<Simulation>(simulation_->snapshot());

@@ -43,6 +43,9 @@ class Gas {
   void reverse();
   /// The walls moved to these sizes, which must hold all disks; velocities stay.
   void resize(Vec2 size);
+  /// One disk more, at rest, as the last one.
+  void add_disk(Species kind, Vec2 place);
+  void remove_last_disk();
   /// The scene as it is now, in TOML.
   [[nodiscard]] std::string to_toml() const;
 

@@ -61,6 +61,12 @@ CAROM_EXPORT int carom_gas_reverse() {
 CAROM_EXPORT int carom_gas_resize(double width, double height) {
   return done([&] { the_gas->resize({width, height}); });
 }
+CAROM_EXPORT int carom_gas_add_disk(double radius, double mass, double x, double y) {
+  return done([&] { the_gas->add_disk({radius, mass}, {x, y}); });
+}
+CAROM_EXPORT int carom_gas_remove_last_disk() {
+  return done([] { the_gas->remove_last_disk(); });
+}
 CAROM_EXPORT void carom_gas_measure_anew() { the_gas->measure_anew(); }
 
 CAROM_EXPORT double carom_gas_time() { return the_gas->time(); }

@@ -57,6 +57,7 @@ export function GasControls() {
         <Row name="packing" step={0.05} />
         <Row name="temperature" step={0.1} />
         <Choice id="gas-boundary" label={words.boundary} value={p.boundary} names={words.boundaries} choose={(boundary) => change({ boundary })} />
+        {p.boundary === 'piston' && <Row name="pistonMass" step={0.1} />}
         <Choice id="gas-speeds" label={words.speeds} value={p.speeds} names={words.startSpeeds} choose={(speeds) => change({ speeds })} />
         <Row name="restitution" step={0.05} />
         <details>
@@ -75,9 +76,9 @@ export function GasControls() {
           <span>{words.tag}</span>
         </label>
         <RecordingSwitch />
-        {p.boundary === 'half' && (
+        {(p.boundary === 'half' || p.boundary === 'piston') && (
           <button type="button" id="gas-remove-wall" aria-disabled={!wallStands.value} onClick={removeWall}>
-            {words.removeWall}
+            {p.boundary === 'half' ? words.removeWall : words.freePiston}
           </button>
         )}
       </fieldset>
@@ -110,5 +111,6 @@ function RecordingSwitch() {
 function removeWall(): void {
   if (!wallStands.value) return;
   ask({ kind: 'removeWall' });
-  said.value = strings.value.gas.expanded;
+  const words = strings.value.gas;
+  said.value = parameters.value.boundary === 'half' ? words.expanded : words.pistonFree;
 }

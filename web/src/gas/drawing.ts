@@ -97,7 +97,7 @@ export class GasDrawing {
 
   /** The disks as shapes; lengths are the scene's. */
   svg(): string {
-    const { room, height, width, kinds } = this.box;
+    const { room, height, width, kinds, waiting } = this.box;
     const { ground, line, tag } = this.ink();
     const disks = this.last?.disks ?? new Float32Array();
     const parts = [`<rect width="${room}" height="${height}" fill="${ground}" stroke="${line}" stroke-width="0.2"/>`];
@@ -107,6 +107,7 @@ export class GasDrawing {
       circle(disks[3 * k]!, disks[3 * k + 1]!, kinds[2 * k]!, shadeColour(disks[3 * k + 2]!));
     }
     if (width < room) parts.push(`<path d="M${width},0V${height}" stroke="${line}" stroke-width="0.4"/>`);
+    if (waiting) parts.push(`<circle cx="${waiting.x}" cy="${waiting.y}" r="${waiting.radius}" fill="none" stroke="${line}" stroke-width="0.4"/>`);
     if (this.last?.tagged) {
       const inScene = (pixels: number): string => (pixels / this.scale).toFixed(3);
       const path = [...this.pathInBox()].map(({ x, y, jumps }) => `${jumps ? 'M' : 'L'}${inScene(x)},${inScene(y)}`);
@@ -127,6 +128,7 @@ export class GasDrawing {
       lines.lineWidth = 4;
       lines.strokeRect(box.width * scale, -4, overlay.width, overlay.height + 8);
     }
+    if (box.waiting) this.drawWaiting(box.waiting);
     const at = this.last?.tagged;
     if (!at) return;
     const radius = box.kinds[0]! * scale;
@@ -137,6 +139,14 @@ export class GasDrawing {
     lines.beginPath();
     lines.arc(x, y, Math.max(3, radius), 0, 2 * Math.PI);
     lines.fill();
+    lines.stroke();
+  }
+
+  private drawWaiting({ x, y, radius }: NonNullable<Made['waiting']>): void {
+    const { lines, overlay, scale } = this;
+    lines.lineWidth = 2;
+    lines.beginPath();
+    lines.arc(x * scale, overlay.height - y * scale, radius * scale, 0, 2 * Math.PI);
     lines.stroke();
   }
 

@@ -5,19 +5,26 @@ export interface GasParameters {
   number: number;
   packing: number;
   temperature: number;
-  /** "half": walls, and the gas in the left half of them until the wall between is taken away. */
-  boundary: 'periodic' | 'reflecting' | 'half';
+  /** "half", "piston": walls, and the gas left of one of them until it is taken away; behind it is nothing, or a piston. */
+  boundary: 'periodic' | 'reflecting' | 'half' | 'piston';
   restitution: number;
   fraction: number;
   radiusRatio: number;
   massRatio: number;
+  /** Of that of the gas. */
+  pistonMass: number;
   speeds: 'equal' | 'maxwell';
   seed: number;
 }
 
+/** What is behind the wall that is going to be taken away: as much room again, and perhaps a piston (its mass, of the gas's). */
+export interface Behind {
+  piston: number | null;
+}
+
 export type Request =
   | { kind: 'start'; module: WebAssembly.Module }
-  | { kind: 'make'; toml: string; equalSpeeds: boolean; half: boolean; record: boolean }
+  | { kind: 'make'; toml: string; equalSpeeds: boolean; behind: Behind | null; record: boolean }
   | { kind: 'advance'; time: number; colour: Colour; tag: boolean; measure: boolean }
   | { kind: 'reverse' }
   | { kind: 'removeWall' }
@@ -59,6 +66,12 @@ export interface Measured {
   order: number;
   /** Share of the disks in the left half, where there was a wall. */
   inHalf?: number;
+  piston?: {
+    /** How far the gas has pushed it. */
+    moved: number;
+    /** Share of the kinetic energy that it has. */
+    energy: number;
+  };
   /** Share of disks per bin of speed, in units of bins of `binWidth`. */
   histogram: Float64Array;
   binWidth: number;
@@ -83,6 +96,8 @@ export interface Made {
   room: number;
   /** Whether these are the disks of before, in a box of another size. */
   continues: boolean;
+  /** A piston that waits behind the wall. */
+  waiting: { x: number; y: number; radius: number } | null;
   /** Radius and mass of each disk. */
   kinds: Float64Array;
 }

@@ -2,8 +2,8 @@
 import { batch, signal } from '@preact/signals';
 import { startWorker } from '#worker';
 import { tomlNumber } from '../engine/scene';
-import { counted, shown, strings } from '../strings';
-import type { Answer, Colour, GasParameters, Made, Measured, Picture, Recorded, Request } from './messages';
+import { counted, shown, shownSmall, strings } from '../strings';
+import type { Answer, Behind, Colour, GasParameters, Made, Measured, Picture, Recorded, Request } from './messages';
 
 export const defaults: GasParameters = {
   number: 2000,
@@ -14,6 +14,7 @@ export const defaults: GasParameters = {
   fraction: 0,
   radiusRatio: 2,
   massRatio: 4,
+  pistonMass: 1,
   speeds: 'equal',
   seed: 1,
 };
@@ -27,6 +28,7 @@ export const limits = {
   fraction: [0, 1],
   radiusRatio: [0.1, 10],
   massRatio: [0.001, 1000],
+  pistonMass: [0.01, 100],
   seed: [0, 1e9],
 } as const;
 
@@ -40,7 +42,7 @@ export const tagging = signal(false);
 export const recording = signal(false);
 export const recorded = signal<Recorded | null>(null);
 export const box = signal<Made | null>(null);
-/** Whether the gas is held in the left half. */
+/** Whether the gas is held by a wall that can be taken away. */
 export const wallStands = signal(false);
 export const measured = signal<Measured | null>(null);
 /** What was measured, four times a second. */
@@ -86,7 +88,7 @@ export function gasToml(p: GasParameters): string {
     { count: second, radius: 0.5 * p.radiusRatio, mass: p.massRatio },
   ].filter(({ count }) => count > 0);
   const area = kinds.reduce((sum, { count, radius }) => sum + count * radius * radius, 0);
-  const lines = ['[box]', `boundary = "${p.boundary === 'half' ? 'reflecting' : p.boundary}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
+  const lines = ['[box]', `boundary = "${p.boundary === 'periodic' ? 'periodic' : 'reflecting'}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
   for (const { count, radius, mass } of kinds) {
     const share = (count * radius * radius) / area;
     lines.push('', '[[gas]]', `count = ${count}`, `packing_fraction = ${tomlNumber(p.packing * share)}`);
@@ -98,6 +100,11 @@ export function gasToml(p: GasParameters): string {
   return `title = "Gas of ${p.number} disks at packing fraction ${p.packing}"\n\n${lines.join('\n')}\n`;
 }
 
+function behindWall({ boundary, pistonMass }: GasParameters): Behind | null {
+  if (boundary === 'piston') return { piston: pistonMass };
+  return boundary === 'half' ? { piston: null } : null;
+}
+
 export function makeGas(): void {
   batch(() => {
     history.value = [];
@@ -107,12 +114,12 @@ export function makeGas(): void {
   });
   ratesSeen = 0;
   const made = opened.value === null;
-  const { speeds, boundary } = parameters.value;
+  const { speeds } = parameters.value;
   ask({
     kind: 'make',
     toml: opened.value ?? gasToml(parameters.value),
     equalSpeeds: made && speeds === 'equal',
-    half: made && boundary === 'half',
+    behind: made ? behindWall(parameters.value) : null,
     record: recording.value,
   });
   ask({ kind: 'advance', time: 0, colour: colour.value, tag: tagging.value, measure: true });
@@ -169,7 +176,7 @@ function hear(answer: Answer): void {
       batch(() => {
         running.value = false;
         const far = answer.distance > 0.1;
-        said.value = `${words.returned(answer.distance.toExponential(1))} ${far ? words.forgot : words.remembers}`;
+        said.value = `${words.returned(shownSmall(answer.distance))} ${far ? words.forgot : words.remembers}`;
       });
       break;
     case 'wallBack':

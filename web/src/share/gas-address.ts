@@ -13,7 +13,7 @@ export interface GasView {
 
 export const usualGasView: GasView = { pace: 1, colour: 'speed', tag: false, record: false };
 const colours = ['speed', 'kind', 'order', 'none'] as const satisfies readonly Colour[];
-const boundaries = ['periodic', 'reflecting', 'half'] as const satisfies readonly GasParameters['boundary'][];
+const boundaries = ['periodic', 'reflecting', 'half', 'piston'] as const satisfies readonly GasParameters['boundary'][];
 
 export function gasHash(p: GasParameters, view: GasView = usualGasView): string {
   const changed = (Object.keys(defaults) as (keyof GasParameters)[]).filter((key) => p[key] !== defaults[key] || key === 'seed');

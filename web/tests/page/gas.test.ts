@@ -15,8 +15,11 @@ beforeEach(() => {
   page = lab.page;
 });
 
-const reading = async (name: string): Promise<number> =>
-  parseFloat((await page.textContent(`#gas-${name}`))!.replace(/,/g, '').replace('−', '-').replace('e−', 'e-'));
+const reading = async (name: string): Promise<number> => {
+  const [digits, power] = (await page.textContent(`#gas-${name}`))!.replace(/,/g, '').replace('−', '-').split('·10');
+  const exponent = [...(power ?? '⁰')].map((sign) => '-0123456789'['⁻⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(sign)]).join('');
+  return parseFloat(digits!) * 10 ** Number(exponent);
+};
 
 describe('gas', () => {
   it('runs, keeps its energy, and collides at the rate that theory says', async () => {
@@ -81,13 +84,49 @@ describe('gas', () => {
     await expect.poll(() => reading('half'), { timeout: 60000 }).toBeLessThan(90);
     expect(await page.getAttribute('#gas-remove-wall', 'aria-disabled')).toBe('true');
     await page.click('#gas-reverse');
-    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('back in the left half'), undefined, { timeout: 60000 });
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('which stands again'), undefined, { timeout: 60000 });
     await expect.poll(() => page.getAttribute('#gas-remove-wall', 'aria-disabled')).toBe('false');
     await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('It remembers.'), undefined, { timeout: 60000 });
     await page.click('#gas-remove-wall');
     await page.click('#open-share');
     await page.click('#copy-link');
     await page.waitForFunction(() => location.hash.includes('boundary=half'));
+  });
+});
+
+describe('its piston', () => {
+  it('is pushed at the cost of the gas’s energy, by keyboard, and comes back with it', async () => {
+    await page.fill('#gas-number', '60');
+    await page.keyboard.press('Enter');
+    await page.focus('#gas-boundary');
+    await page.keyboard.press('End');
+    expect(await page.inputValue('#gas-boundary')).toBe('piston');
+    await page.focus('#gas-pistonMass');
+    await page.keyboard.type('0.2');
+    await page.keyboard.press('Enter');
+    await page.focus('#gas-play');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => reading('time'), { timeout: 20000 }).toBeGreaterThan(0.5);
+    expect(await reading('piston')).toBe(0);
+    expect(await reading('kT')).toBe(1);
+    await page.focus('#gas-remove-wall');
+    await page.keyboard.press('Enter');
+    expect(await page.textContent('#gas-said')).toContain('The piston is free');
+    await expect.poll(() => reading('piston-energy'), { timeout: 60000 }).toBeGreaterThan(5);
+    await page.focus('#gas-play');
+    await page.keyboard.press('Enter');
+    expect(await reading('piston')).toBeGreaterThan(0);
+    // Between walls kT is the gas's energy per disk: what it lost the piston has.
+    const left = 1 - (await reading('piston-energy')) / 100;
+    expect(await reading('kT')).toBeCloseTo(left, 2);
+    expect(Math.abs(await reading('drift'))).toBeLessThan(1e-12);
+    await page.click('#gas-reverse');
+    await page.click('#gas-play');
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('It remembers.'), undefined, { timeout: 60000 });
+    expect(await page.getAttribute('#gas-remove-wall', 'aria-disabled')).toBe('false');
+    await page.click('#open-share');
+    await page.click('#copy-link');
+    await page.waitForFunction(() => location.hash.includes('boundary=piston&') && location.hash.includes('pistonMass=0.2'));
   });
 });
 
