@@ -109,4 +109,9 @@ describe('details', () => {
     expect(broken('a = b = c \\tag{5}')).toContain('\\tag{5}');
     expect(broken('a = b')).toBe('a = b');
   });
+  it('rows break between their equations, whether the engine had them on one line or on several', () => {
+    const lines = '\\begin{aligned}\n\\text{Disk 1:} \\quad & m_1 = 1 \\\\\n& R_1 = 0.5 \\\\\n& v = \\langle a, b \\rangle = 2\n\\end{aligned}';
+    expect(broken('\\text{Disk 1:} \\quad m_1 = 1 \\quad R_1 = 0.5 \\quad v = \\langle a, b \\rangle = 2')).toBe(lines);
+    expect(broken(lines)).toBe(lines);
+  });
 });

@@ -98,6 +98,8 @@ export interface Made {
   continues: boolean;
   /** A piston that waits behind the wall. */
   waiting: { x: number; y: number; radius: number } | null;
+  /** Whether the last disk is one. */
+  piston: boolean;
   /** Radius and mass of each disk. */
   kinds: Float64Array;
 }

@@ -70,7 +70,18 @@ export function onEveryPicture(draw: (picture: Picture) => void): void {
   onPicture = draw;
 }
 
+/** A worker that has not answered for so long (ms) when a new gas is asked for never will. */
+const patience = 4000;
+/** Since when a picture has been waited for; none is if it is Infinity. */
+let waitingSince = Infinity;
+
 export function ask(request: Request): void {
+  if (request.kind === 'make' && performance.now() - waitingSince > patience) {
+    worker!.terminate();
+    worker = null;
+    waitingSince = Infinity;
+  }
+  if (request.kind === 'advance') waitingSince = Math.min(waitingSince, performance.now());
   if (!worker) {
     worker = startWorker();
     worker.onmessage = (event: MessageEvent<Answer>) => hear(event.data);
@@ -157,6 +168,7 @@ function noteRecorded(next: Recorded): void {
 }
 
 function hear(answer: Answer): void {
+  if (answer.kind === 'picture' || answer.kind === 'error') waitingSince = Infinity;
   const words = strings.value.gas;
   switch (answer.kind) {
     case 'made':

@@ -45,7 +45,7 @@ function made(continues: boolean): void {
   kinds = engine.numbers('gas_kinds', 2 * count);
   measurer = new Measurer(kinds.subarray(0, 2 * gas), size, summary[11]!, { time: summary[0]!, collisions: summary[1]! });
   const waiting = wall && size.x === wall.x ? pistonOf(wall) : null;
-  say({ kind: 'made', width: size.x, height: size.y, room: wall ? roomOf(wall) : size.x, kinds, continues, waiting });
+  say({ kind: 'made', width: size.x, height: size.y, room: wall ? roomOf(wall) : size.x, kinds, continues, waiting, piston: count > gas });
 }
 
 const pistonOf = ({ x, behind }: Wall): Piston | null => (behind.piston === null ? null : pistonFor(x, size.y, kinds.subarray(0, 2 * gas), behind.piston));
@@ -194,6 +194,8 @@ function disksOf(colour: Colour): Float32Array {
     else if (order) shade = order[k + 1]!;
     picture[3 * k + 2] = shade;
   }
+  // What is said of disks by their colours is not said of a piston.
+  if (count > gas) picture[3 * gas + 2] = -1;
   return picture;
 }
 

@@ -271,7 +271,7 @@ describe('its collisions', () => {
     expect(found.length).toBeGreaterThan(100);
     expect(found).toEqual(logged(scene, found));
     await page.click('#close-share');
-    expect(await page.textContent('#gas-recorded')).toContain(`${found.length - 1} recorded from time 0.00 on, at most 200,000`);
+    expect(await page.textContent('#gas-recorded')).toContain(`${found.length - 1} recorded from time 0.00 on, those at walls too; at most 200,000.`);
   });
   it('are recorded of a scene that was opened, and begin anew with it, by mouse, in German', async () => {
     await page.selectOption('#language', 'de');
