@@ -35,6 +35,10 @@ describe('gas', () => {
     // Kolafa and Rottner: Z = 1.236 at this density; over ten seconds of 200 disks it scatters by some per cent.
     expect(await reading('z')).toBeGreaterThan(1.1);
     expect(await reading('z')).toBeLessThan(1.4);
+    const theory = Number(/theory ([\d.]+)/.exec((await page.textContent('#gas-rate'))!)![1]);
+    const rate = (2 * (await reading('collisions'))) / (200 * (await reading('time')));
+    expect(rate / theory).toBeGreaterThan(0.9);
+    expect(rate / theory).toBeLessThan(1.1);
   });
   it('comes back to its start when turned round', async () => {
     await page.click('#gas-play');
