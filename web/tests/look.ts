@@ -16,7 +16,7 @@ for (const [width, height] of [[360, 740], [1280, 860], [1920, 1080]] as const) 
     let number = 0;
     for await (const view of views(page)) {
       await page.waitForTimeout(300);
-      await page.screenshot({ path: `${folder}/${String(++number).padStart(2, '0')} ${view}.png`, fullPage: true });
+      await page.screenshot({ path: `${folder}/${String(++number).padStart(2, '0')} ${view}.png`, fullPage: true, timeout: 120000 });
     }
     console.log(folder, troubles);
     await context.close();
