@@ -1,4 +1,7 @@
 // Scene files in TOML. The file is parsed by toml++; here its tables become a Scene and RunSettings.
+#include <fmt/format.h>
+
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -154,6 +157,49 @@ class TomlReader {
   ReadScene read_;
 };
 
+/// Scenes have keys of two parts. toml++ makes a table of every part, one in the other, and takes them down by
+/// recursion, which must not go deeper than there is stack; inline tables and arrays it limits itself.
+constexpr int kMostPartsOfKey = 64;
+
+/// The quote that ends what one begins; the beginning itself if it does not end on this line.
+std::size_t end_of_quoted(std::string_view text, std::size_t begin) {
+  for (std::size_t k = begin + 1; k < text.size() && text[k] != '\n'; ++k) {
+    if (text[k] == text[begin]) return k;
+    if (text[begin] == '"' && text[k] == '\\') ++k;
+  }
+  return begin;
+}
+
+/// Where a key has more parts than kMostPartsOfKey. What stands in quotes is passed over: it may hold anything.
+std::optional<toml::source_position> overlong_key(std::string_view text) {
+  toml::source_index line = 1;
+  std::size_t line_start = 0;
+  int parts = 1;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    switch (text[k]) {
+      case '\n':
+        ++line;
+        line_start = k + 1;
+        [[fallthrough]];
+      case '=':
+      case ',':
+      case '[':
+      case ']':
+      case '{':
+      case '}':
+      case '#': parts = 1; break;
+      case '"':
+      case '\'': k = end_of_quoted(text, k); break;
+      case '.':
+        if (++parts > kMostPartsOfKey)
+          return toml::source_position{line, static_cast<toml::source_index>(k - line_start + 1)};
+        break;
+      default: break;
+    }
+  }
+  return std::nullopt;
+}
+
 ReadScene failed(const Place& place, std::string message) {
   ReadScene read;
   read.understood = false;
@@ -164,6 +210,10 @@ ReadScene failed(const Place& place, std::string message) {
 }  // namespace
 
 ReadScene read_toml(std::string_view text, const std::string& name) {
+  if (const auto at = overlong_key(text)) {
+    return failed({name, static_cast<int>(at->line), static_cast<int>(at->column)},
+                  fmt::format("not valid TOML: a key of more than {} parts", kMostPartsOfKey));
+  }
   try {
     return TomlReader(name).read(toml::parse(text, name));
   } catch (const toml::parse_error& error) {

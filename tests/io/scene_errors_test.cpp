@@ -26,6 +26,33 @@ struct BadInput {
 
 void PrintTo(const BadInput& input, std::ostream* out) { *out << input.name; }
 
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int k = 0; k < count; ++k) all += text;
+  return all;
+}
+
+TEST(TomlKeys, OfVeryManyPartsAreRefusedBeforeTheyFillTheStack) {
+  const std::string reason = "a key of more than 64 parts";
+  for (const std::string& text : {
+           "a" + repeated(".b", 300000) + " = 1",
+           "[a" + repeated(" . b", 300000) + "]",
+           "a = { x = 1, b" + repeated(".b", 300000) + " = 1 }",
+           "'a=,'" + repeated(".\"b#\\\"=,\"", 300000) + " = 1",
+           "a = { x = \"\"\"\n\"\"\", b" + repeated(".b", 300000) + " = 1 }",
+       }) {
+    EXPECT_NE(refusal(text, "s.toml").find(reason), std::string::npos) << text.substr(0, 40);
+  }
+  EXPECT_EQ(refusal("\n  a" + repeated(".b", 64) + " = 1", "s.toml"), "s.toml:2:130: not valid TOML: " + reason);
+}
+
+TEST(TomlKeys, ManyDotsElsewhereAreNoKeys) {
+  const std::string numbers = "[" + repeated("1.0, ", 300) + "1.0]";
+  EXPECT_EQ(
+      refusal("title = \"" + repeated("Once. ", 300) + "\"\n[box]\nsize = " + numbers + "\n", "s.toml").find("parts"),
+      std::string::npos);
+}
+
 class BadToml : public testing::TestWithParam<BadInput> {};
 
 TEST_P(BadToml, IsRefusedWithPlaceThingAndReason) { EXPECT_EQ(refusal(GetParam().text, "s.toml"), GetParam().message); }
