@@ -146,9 +146,9 @@ class SameBytes(SweepTest):
 
 class Stopped(SweepTest):
     """The first two jobs are done in no time, the other two are not."""
-    WORDS = ["sweep", "gas.toml", "--vary", "run.collisions=100,200,300000,200000", "--observe", "rate,msd,pressure",
+    WORDS = ["sweep", "gas.toml", "--vary", "run.collisions=100,200,900000,600000", "--observe", "rate,msd,pressure",
              *(["--checkpoint-minutes", "1e-3"] if HAS_HDF5 else []), "--out"]
-    LONG = ("o/runs/run.collisions=300000,replica=1", "o/runs/run.collisions=200000,replica=1")
+    LONG = ("o/runs/run.collisions=900000,replica=1", "o/runs/run.collisions=600000,replica=1")
 
     def start(self, *more):
         return subprocess.Popen([CAROM, *self.WORDS, "o", *map(str, more)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,

@@ -10,14 +10,25 @@
 
 namespace carom::page {
 
-Gas::Gas(Setup setup) { restart(std::move(setup)); }
+Gas::Gas(Setup setup) { restart(std::move(setup), 0); }
 
-void Gas::restart(Setup setup) {
+// If the setup cannot be simulated all stays as it is.
+void Gas::restart(Setup setup, double before) {
   setup.frame.time = 0;
-  simulation_ = std::make_unique<Simulation>(std::move(setup));
+  auto next = std::make_unique<Simulation>(std::move(setup));
+  if (simulation_) recording_.leave(*simulation_);
+  simulation_ = std::move(next);
+  before_ = before;
+  recording_.join(*simulation_, before_);
   frame_ = simulation_->frame();
   measured_from_ = 0;
   impulses_then_ = 0;
+}
+
+void Gas::go_on_with(Setup setup) {
+  const std::uint64_t collisions = this->collisions();
+  restart(std::move(setup), time());
+  collisions_before_ = collisions;
 }
 
 void Gas::run_until(double time) {
@@ -80,26 +91,43 @@ void Gas::equalize_speeds() {
     setup.frame.vx[k] *= factor;
     setup.frame.vy[k] *= factor;
   }
-  restart(std::move(setup));
+  restart(std::move(setup), before_);
 }
 
 void Gas::reverse() {
   Setup setup = setup_now();
   for (double& v : setup.frame.vx) v = -v;
   for (double& v : setup.frame.vy) v = -v;
-  before_ += simulation_->time();
-  collisions_before_ += simulation_->books().collisions;
-  restart(std::move(setup));
+  go_on_with(std::move(setup));
 }
 
 void Gas::resize(Vec2 size) {
   Setup setup = setup_now();
   setup.system.box.size = size;
-  const double time = simulation_->time();
-  const std::uint64_t collisions = simulation_->books().collisions;
-  restart(std::move(setup));
-  before_ += time;
-  collisions_before_ += collisions;
+  go_on_with(std::move(setup));
+}
+
+void Gas::add_disk(Species kind, Vec2 place) {
+  Setup setup = setup_now();
+  setup.system.add_disk(kind);
+  setup.frame.add_disk(place, {});
+  go_on_with(std::move(setup));
+}
+
+void Gas::remove_last_disk() {
+  Setup setup = setup_now();
+  setup.system.species_of.pop_back();
+  setup.frame.resize(setup.system.size());
+  go_on_with(std::move(setup));
+}
+
+// The window in flight is gone through once more: nobody took note of it.
+void Gas::start_recording() {
+  auto again = std::make_unique<Simulation>(simulation_->snapshot());
+  recording_.start(time());
+  recording_.join(*again, before_);
+  again->run_until(simulation_->time());
+  simulation_ = std::move(again);
 }
 
 std::string Gas::to_toml() const { return carom::to_toml({explicit_scene(setup_now(), "A gas from the page"), {}}); }

@@ -10,6 +10,7 @@
 #include "carom/run/simulation.hpp"
 #include "carom/run/summary.hpp"
 #include "carom/state/scene.hpp"
+#include "recording.hpp"
 
 namespace carom::page {
 
@@ -42,15 +43,28 @@ class Gas {
   void reverse();
   /// The walls moved to these sizes, which must hold all disks; velocities stay.
   void resize(Vec2 size);
+  /// One disk more, at rest, as the last one.
+  void add_disk(Species kind, Vec2 place);
+  void remove_last_disk();
   /// The scene as it is now, in TOML.
   [[nodiscard]] std::string to_toml() const;
 
+  /// From now on all contacts are kept; what was kept before is not.
+  void start_recording();
+  void stop_recording() { recording_.stop(*simulation_); }
+  [[nodiscard]] double recorded_from() const noexcept { return recording_.from(); }
+  [[nodiscard]] std::size_t recorded() const { return recording_.count(*simulation_); }
+  /// Times are since the gas was made.
+  [[nodiscard]] std::vector<Collision> recorded_collisions() const { return recording_.rows(*simulation_); }
+
  private:
-  void restart(Setup setup);
+  void restart(Setup setup, double before);
+  void go_on_with(Setup setup);
   [[nodiscard]] Setup setup_now() const;
   [[nodiscard]] double impulses() const;
 
   std::unique_ptr<Simulation> simulation_;
+  Recording recording_;
   Frame frame_;
   double before_ = 0;  // time that earlier simulations took
   std::uint64_t collisions_before_ = 0;

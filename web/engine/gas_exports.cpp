@@ -1,9 +1,13 @@
 // What the page's gas calls.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "carom/state/state.hpp"
+#include "collision_rows.hpp"
 #include "exchange.hpp"
 #include "gas.hpp"
 #include "order.hpp"
@@ -13,6 +17,9 @@ namespace carom::page {
 namespace {
 
 std::unique_ptr<Gas> the_gas;
+
+/// Rows that are written at a time.
+constexpr std::size_t kRowsPerText = 20000;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -53,6 +60,12 @@ CAROM_EXPORT int carom_gas_reverse() {
 }
 CAROM_EXPORT int carom_gas_resize(double width, double height) {
   return done([&] { the_gas->resize({width, height}); });
+}
+CAROM_EXPORT int carom_gas_add_disk(double radius, double mass, double x, double y) {
+  return done([&] { the_gas->add_disk({radius, mass}, {x, y}); });
+}
+CAROM_EXPORT int carom_gas_remove_last_disk() {
+  return done([] { the_gas->remove_last_disk(); });
 }
 CAROM_EXPORT void carom_gas_measure_anew() { the_gas->measure_anew(); }
 
@@ -104,6 +117,30 @@ CAROM_EXPORT double* carom_gas_order() {
     }
     numbers[0] = std::abs(mean) / static_cast<double>(order.size());
     return answer_numbers(std::move(numbers));
+  });
+}
+
+CAROM_EXPORT int carom_gas_record(int on) {
+  return done([&] { on != 0 ? the_gas->start_recording() : the_gas->stop_recording(); });
+}
+
+/// How many contacts are kept, of how many at most, and from which time on.
+CAROM_EXPORT double* carom_gas_recorded() {
+  return guarded<double*>(nullptr, [] {
+    return answer_numbers(
+        {static_cast<double>(the_gas->recorded()), static_cast<double>(Recording::kMost), the_gas->recorded_from()});
+  });
+}
+
+/// Puts the rows of the contacts that are kept, from number `first` on, into the text: so many as it returns, 0 after
+/// the last one, −1 with the reason if that fails.
+CAROM_EXPORT int carom_gas_recorded_rows(int first) {
+  return guarded(-1, [&] {
+    const std::vector<Collision> all = the_gas->recorded_collisions();
+    const auto begin = std::min(static_cast<std::size_t>(first), all.size());
+    const auto count = std::min(kRowsPerText, all.size() - begin);
+    answer(collision_rows(std::span(all).subspan(begin, count), 0));
+    return static_cast<int>(count);
   });
 }
 

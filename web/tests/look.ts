@@ -1,53 +1,26 @@
-// Pictures of the page at three widths, to be looked at: out/lab/*.png.
+// Pictures of every view of the page, at three widths and in both themes, to be looked at: out/lab/WIDTH-THEME/*.png.
 import { mkdirSync } from 'node:fs';
 import { launch, open, serve } from './browser';
 import { root } from './engine';
+import { views } from './views';
 
-const folder = `${root}out/lab`;
-mkdirSync(folder, { recursive: true });
 const { server, address } = await serve();
 const browser = await launch();
 const only = process.argv[2];
-for (const [width, height, dark] of [[360, 740, false], [1280, 860, false], [1280, 860, true], [1920, 1080, true]] as const) {
+for (const [width, height] of [[360, 740], [1280, 860], [1920, 1080]] as const) {
   if (only && only !== String(width)) continue;
-  const { page, troubles } = await open(browser, address, { width, height, dark });
-  const shot = (name: string): Promise<Buffer> => page.screenshot({ path: `${folder}/${name}-${width}${dark ? '-dark' : ''}.png`, fullPage: true });
-  await shot('start');
-  await page.click('#next-contact');
-  await page.check('#show-parts');
-  await page.check('#show-impulse');
-  await shot('contact');
-  await page.uncheck('#show-parts');
-  await page.uncheck('#show-impulse');
-  for (const layer of ['momentum', 'change', 'paths', 'centre', 'scale']) await page.setChecked(`#show-${layer}`, true);
-  for (let k = 0; k < 6; ++k) await page.keyboard.press('.');
-  await page.focus('#mass-2');
-  await shot('change');
-  for (let k = 0; k < 12; ++k) await page.keyboard.press('ArrowRight');
-  await page.focus('[data-disk="1"]');
-  await shot('place');
-  await page.focus('[data-tip="1"]');
-  await shot('velocity');
-  for (const layer of ['momentum', 'change', 'paths', 'centre']) await page.setChecked(`#show-${layer}`, false);
-  await page.click('#next-contact');
-  await page.click('#panel-derivation');
-  await page.click('#step-next');
-  await page.click('#step-next');
-  await page.waitForTimeout(300);
-  await shot('derivation');
-  await page.click('#tab-gas');
-  await page.waitForTimeout(300);
-  await page.click('#gas-play');
-  await page.waitForTimeout(2500);
-  await shot('gas');
-  await page.selectOption('#gas-boundary', 'half');
-  await page.check('#gas-tag');
-  await page.waitForTimeout(1000);
-  await shot('half');
-  await page.click('#gas-remove-wall');
-  await page.waitForTimeout(3000);
-  await shot('expanded');
-  console.log(width, troubles);
+  for (const dark of [false, true]) {
+    const folder = `${root}out/lab/${width}-${dark ? 'dark' : 'light'}`;
+    mkdirSync(folder, { recursive: true });
+    const { page, troubles, context } = await open(browser, address, { width, height, dark, locale: dark ? 'de-DE' : 'en-GB' });
+    let number = 0;
+    for await (const view of views(page)) {
+      await page.waitForTimeout(300);
+      await page.screenshot({ path: `${folder}/${String(++number).padStart(2, '0')} ${view}.png`, fullPage: true, timeout: 120000 });
+    }
+    console.log(folder, troubles);
+    await context.close();
+  }
 }
 await browser.close();
 server.close();

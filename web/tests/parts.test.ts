@@ -43,7 +43,7 @@ describe('addresses', () => {
   }
   it('of a gas', () => {
     const gas = { ...defaults, number: 5000, boundary: 'half' as const, seed: 9 };
-    const view = { pace: 0.1, colour: 'order' as const, tag: true };
+    const view = { pace: 0.1, colour: 'order' as const, tag: true, record: true };
     expect(gasOf(gasHash(gas, view))).toEqual(gas);
     expect(gasViewOf(gasHash(gas, view))).toEqual(view);
     expect(gasViewOf(gasHash(gas))).toEqual(usualGasView);
@@ -108,5 +108,10 @@ describe('details', () => {
     expect(membersOf('a = \\frac{b = c}{d} \\approx 2')).toEqual(['a', '= \\frac{b = c}{d}', '\\approx 2']);
     expect(broken('a = b = c \\tag{5}')).toContain('\\tag{5}');
     expect(broken('a = b')).toBe('a = b');
+  });
+  it('rows break between their equations, whether the engine had them on one line or on several', () => {
+    const lines = '\\begin{aligned}\n\\text{Disk 1:} \\quad & m_1 = 1 \\\\\n& R_1 = 0.5 \\\\\n& v = \\langle a, b \\rangle = 2\n\\end{aligned}';
+    expect(broken('\\text{Disk 1:} \\quad m_1 = 1 \\quad R_1 = 0.5 \\quad v = \\langle a, b \\rangle = 2')).toBe(lines);
+    expect(broken(lines)).toBe(lines);
   });
 });

@@ -6,7 +6,7 @@ import { Playback, isCollision } from '../src/engine/playback';
 import { sceneToml, type Scene } from '../src/engine/scene';
 import { stepsOf } from '../src/derivation/document';
 import { translated } from '../src/derivation/translate';
-import { language, languages, shown, shownToAddUp, typed } from '../src/strings';
+import { language, languages, shown, shownSmall, shownToAddUp, typed } from '../src/strings';
 import { startEngine } from './engine';
 
 describe('numbers', () => {
@@ -23,6 +23,11 @@ describe('numbers', () => {
     expect(shown(NaN)).toBe('–');
     language.value = 'de';
     expect(shown(-1.5)).toBe('−1,50');
+    language.value = 'en';
+  });
+  it('far below 1 are shown with a power of ten', () => {
+    language.value = 'de';
+    expect([1.14e-15, -2e-3, 0, 3.25, NaN].map(shownSmall)).toEqual(['1,1·10⁻¹⁵', '−2,0·10⁻³', '0', '3,3·10⁰', '–']);
     language.value = 'en';
   });
   it('add up as shown', () => {

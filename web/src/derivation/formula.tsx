@@ -24,8 +24,19 @@ export function membersOf(tex: string): string[] {
   return [...members, tex.slice(start).trim()];
 }
 
-/** A chain of equations with every member on a line of its own. */
+/** Of a row "Disk 1:  m = 1  R = 0.5 …" its label and what stands in it; undefined for all else. */
+function rowOf(tex: string): { label: string; items: string[] } | undefined {
+  const body = tex.replace(/\\(begin|end)\{aligned\}\n?/g, '').trim();
+  const label = /^\\text\{[^}]*:\}/.exec(body)?.[0];
+  if (!label) return undefined;
+  const items = body.slice(label.length).split(/ ?\\quad (?:& )?| ?\\\\\n(?:& )?/);
+  return { label, items: items.map((item) => item.trim()).filter((item) => item !== '') };
+}
+
+/** With every member of a chain of equations, or all that stands in a row, on a line of its own. */
 export function broken(tex: string): string {
+  const row = rowOf(tex);
+  if (row) return `\\begin{aligned}\n${row.label} \\quad ${row.items.map((item) => `& ${item}`).join(' \\\\\n')}\n\\end{aligned}`;
   const tag = /\\tag\{[^}]*\}/.exec(tex)?.[0] ?? '';
   const body = tex.replace(tag, '').replace(/\\(begin|end)\{aligned\}/g, '').replace(/ ?\\\\\n/g, ' ').replace(/&/g, '').replace(/\s+/g, ' ');
   const [first, ...others] = membersOf(body.trim());

@@ -10,7 +10,10 @@ export class Engine {
   private readonly decoder = new TextDecoder();
   private readonly encoder = new TextEncoder();
 
-  private constructor(private readonly exports: Exports) {}
+  private constructor(
+    private readonly module: WebAssembly.Module,
+    private readonly exports: Exports,
+  ) {}
 
   static async start(module: WebAssembly.Module): Promise<Engine> {
     let memory: WebAssembly.Memory | undefined;
@@ -18,7 +21,12 @@ export class Engine {
     const exports = instance.exports as unknown as Exports;
     memory = exports.memory;
     exports._initialize!();
-    return new Engine(exports);
+    return new Engine(module, exports);
+  }
+
+  /** One more, with a memory of its own. */
+  another(): Promise<Engine> {
+    return Engine.start(this.module);
   }
 
   /** Calls carom_NAME. */

@@ -4,7 +4,7 @@ import uPlot from 'uplot';
 import { shown, strings } from '../strings';
 import { maxwellH, maxwellShare } from './measure';
 import type { Measured } from './messages';
-import { history, parameters } from './model';
+import { history, parameters, wallStands } from './model';
 import { Column, Plot, themeColour } from './plot';
 import { compressibilityOf } from './theory';
 
@@ -84,6 +84,7 @@ export function HChart() {
 export function PressureChart({ measured }: { measured: Measured }) {
   const words = strings.value.gas;
   const { fraction, restitution } = parameters.value;
-  const theory = fraction === 0 && restitution === 1 ? compressibilityOf(measured.packing) : undefined;
+  const simple = fraction === 0 && restitution === 1 && !(measured.piston && !wallStands.value);
+  const theory = simple ? compressibilityOf(measured.packing) : undefined;
   return <Series caption={words.pressure} note={words.pressureNote} axis="Z" of="compressibility" theory={theory} />;
 }

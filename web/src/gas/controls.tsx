@@ -1,8 +1,9 @@
 // What the gas is made of, and what is done with it.
-import { strings } from '../strings';
+import { useEffect } from 'preact/hooks';
+import { counted, shown, strings } from '../strings';
 import { NumberField } from '../ui/number-field';
 import type { Colour, GasParameters } from './messages';
-import { ask, change, colour, limits, parameters, said, tagging, wallStands } from './model';
+import { ask, change, colour, limits, parameters, recorded, recording, running, said, setRecording, tagging, wallStands } from './model';
 
 interface RowProps {
   name: keyof typeof limits;
@@ -56,6 +57,7 @@ export function GasControls() {
         <Row name="packing" step={0.05} />
         <Row name="temperature" step={0.1} />
         <Choice id="gas-boundary" label={words.boundary} value={p.boundary} names={words.boundaries} choose={(boundary) => change({ boundary })} />
+        {p.boundary === 'piston' && <Row name="pistonMass" step={0.1} />}
         <Choice id="gas-speeds" label={words.speeds} value={p.speeds} names={words.startSpeeds} choose={(speeds) => change({ speeds })} />
         <Row name="restitution" step={0.05} />
         <details>
@@ -73,9 +75,10 @@ export function GasControls() {
           <input type="checkbox" id="gas-tag" checked={tagging.value} onChange={() => (tagging.value = !tagging.value)} />
           <span>{words.tag}</span>
         </label>
-        {p.boundary === 'half' && (
+        <RecordingSwitch />
+        {(p.boundary === 'half' || p.boundary === 'piston') && (
           <button type="button" id="gas-remove-wall" aria-disabled={!wallStands.value} onClick={removeWall}>
-            {words.removeWall}
+            {p.boundary === 'half' ? words.removeWall : words.freePiston}
           </button>
         )}
       </fieldset>
@@ -83,8 +86,31 @@ export function GasControls() {
   );
 }
 
+function RecordingSwitch() {
+  const words = strings.value.gas;
+  const kept = recorded.value;
+  // While the gas runs they are counted when it is measured.
+  useEffect(() => {
+    if (recording.value && !running.value) ask({ kind: 'countRecorded' });
+  }, [running.value]);
+  return (
+    <>
+      <label>
+        <input type="checkbox" id="gas-record" checked={recording.value} onChange={() => setRecording(!recording.value)} />
+        <span>{words.record}</span>
+      </label>
+      {kept && (
+        <p class="note" id="gas-recorded">
+          {words.recordedIs(counted(kept.count), shown(kept.from), counted(kept.most))}
+        </p>
+      )}
+    </>
+  );
+}
+
 function removeWall(): void {
   if (!wallStands.value) return;
   ask({ kind: 'removeWall' });
-  said.value = strings.value.gas.expanded;
+  const words = strings.value.gas;
+  said.value = parameters.value.boundary === 'half' ? words.expanded : words.pistonFree;
 }

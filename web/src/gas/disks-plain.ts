@@ -3,6 +3,11 @@ import type { DiskPainter } from './drawing';
 import { shadeColour } from './shades';
 
 const shades = 24;
+/** In pixels; larger disks, which are few, are drawn one by one. */
+const largestStamp = 100;
+
+/** So that one sees them touch, and yet apart. */
+const drawnRadius = (radius: number): number => Math.max(0.5, 0.96 * radius, radius - 1);
 
 /** One picture of each shade, side by side, for disks of one radius. */
 interface Stamps {
@@ -19,7 +24,7 @@ function stampsOf(radius: number): Stamps {
   for (let k = 0; k <= shades; ++k) {
     context.fillStyle = shadeColour(k === shades ? -1 : k / (shades - 1));
     context.beginPath();
-    context.arc((k + 0.5) * side, side / 2, Math.max(0.5, radius * 0.96), 0, 2 * Math.PI);
+    context.arc((k + 0.5) * side, side / 2, drawnRadius(radius), 0, 2 * Math.PI);
     context.fill();
   }
   return { canvas, side };
@@ -45,8 +50,16 @@ export class PlainDisks implements DiskPainter {
     // Copies at whole pixels need no blending; that of many small disks nobody misses.
     const snap = disks.length > 3 * 3000 ? Math.round : (value: number): number => value;
     for (let k = 0; 3 * k < disks.length; ++k) {
-      const { canvas: stamp, side } = this.stampsFor(kinds[2 * k]! * scale);
       const shade = disks[3 * k + 2]!;
+      const radius = kinds[2 * k]! * scale;
+      if (radius > largestStamp) {
+        context.fillStyle = shadeColour(shade);
+        context.beginPath();
+        context.arc(disks[3 * k]! * scale, canvas.height - disks[3 * k + 1]! * scale, drawnRadius(radius), 0, 2 * Math.PI);
+        context.fill();
+        continue;
+      }
+      const { canvas: stamp, side } = this.stampsFor(radius);
       const which = shade < 0 ? shades : Math.round(shade * (shades - 1));
       const x = snap(disks[3 * k]! * scale - side / 2);
       const y = snap(canvas.height - disks[3 * k + 1]! * scale - side / 2);

@@ -29,7 +29,8 @@ void main() {
   vec2 corner = corners[gl_VertexID - 3 * k];
   ivec2 at = ivec2(k % ROW, k / ROW);
   vec3 disk = texelFetch(disks, at, 0).xyz;
-  reach = max(0.5, texelFetch(radii, at, 0).x * scale * 0.96);
+  float radius = texelFetch(radii, at, 0).x * scale;
+  reach = max(0.5, max(radius * 0.96, radius - 1.0)); // so that one sees them touch, and yet apart
   place = corner * (reach + 1.0);
   colour = colourOf(disk.z);
   gl_Position = vec4((disk.xy + place / scale) / size * 2.0 - 1.0, 0.0, 1.0);

@@ -72,7 +72,7 @@ export class GasDrawing {
     if (this.path.length > longestPath) this.path.splice(0, longestPath / 4);
     this.last = picture;
     this.painter.paint(picture.disks, this.scale);
-    if (hadLines || picture.tagged) this.drawLines();
+    if (hadLines || picture.tagged || this.box.piston) this.drawLines();
   }
 
   /** The last picture once more: what a canvas shows is not kept for printing and saving. */
@@ -107,6 +107,8 @@ export class GasDrawing {
       circle(disks[3 * k]!, disks[3 * k + 1]!, kinds[2 * k]!, shadeColour(disks[3 * k + 2]!));
     }
     if (width < room) parts.push(`<path d="M${width},0V${height}" stroke="${line}" stroke-width="0.4"/>`);
+    const piston = this.piston();
+    if (piston) parts.push(`<circle cx="${piston.x.toFixed(3)}" cy="${(height - piston.y).toFixed(3)}" r="${piston.radius}" fill="none" stroke="${line}" stroke-width="0.4"/>`);
     if (this.last?.tagged) {
       const inScene = (pixels: number): string => (pixels / this.scale).toFixed(3);
       const path = [...this.pathInBox()].map(({ x, y, jumps }) => `${jumps ? 'M' : 'L'}${inScene(x)},${inScene(y)}`);
@@ -127,6 +129,8 @@ export class GasDrawing {
       lines.lineWidth = 4;
       lines.strokeRect(box.width * scale, -4, overlay.width, overlay.height + 8);
     }
+    const piston = this.piston();
+    if (piston) this.outline(piston);
     const at = this.last?.tagged;
     if (!at) return;
     const radius = box.kinds[0]! * scale;
@@ -137,6 +141,22 @@ export class GasDrawing {
     lines.beginPath();
     lines.arc(x, y, Math.max(3, radius), 0, 2 * Math.PI);
     lines.fill();
+    lines.stroke();
+  }
+
+  /** Behind its wall, or among the disks as the last of them. */
+  private piston(): Made['waiting'] {
+    const { box, last } = this;
+    if (!box.piston || !last) return box.waiting;
+    const [x, y] = last.disks.subarray(-3);
+    return { x: x!, y: y!, radius: box.kinds.at(-2)! };
+  }
+
+  private outline({ x, y, radius }: NonNullable<Made['waiting']>): void {
+    const { lines, overlay, scale } = this;
+    lines.lineWidth = 2;
+    lines.beginPath();
+    lines.arc(x * scale, overlay.height - y * scale, radius * scale, 0, 2 * Math.PI);
     lines.stroke();
   }
 

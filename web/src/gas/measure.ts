@@ -26,17 +26,22 @@ export class Measurer {
     return Math.sqrt(Math.max(this.kT, 1e-12) / this.meanMass);
   }
 
-  measure(engine: Engine, count: number): Measured {
+  /** Of the gas alone: a piston among its disks is the last one. */
+  measure(engine: Engine, piston: boolean): Measured {
+    const count = this.kinds.length / 2;
     const s = engine.numbers('gas_summary', 12);
-    const [time, collisions, kT] = [s[0]!, s[1]!, s[3]!];
+    const vx = engine.view(engine.call('gas_vx'), count);
+    const vy = engine.view(engine.call('gas_vy'), count);
+    const [time, collisions] = [s[0]!, s[1]!];
+    const kT = piston ? this.temperature(vx, vy) : s[3]!;
     if (kT > 0) this.kT = kT;
     const span = time - this.last.time;
     const rate = span > 0 ? (2 * (collisions - this.last.collisions)) / (count * span) : NaN;
     this.last = { time, collisions };
-    const order = count <= 20000 ? engine.numbers('gas_order', 1)[0]! : NaN;
-    const vx = engine.view(engine.call('gas_vx'), count);
-    const vy = engine.view(engine.call('gas_vy'), count);
     const { histogram, binWidth } = this.speeds(vx, vy);
+    const h = this.boltzmann(vx, vy);
+    // Asked for last: the engine's memory may move, and what was seen of it with that.
+    const order = count <= 20000 ? engine.numbers('gas_order', 1)[0]! : NaN;
     return {
       time,
       collisions,
@@ -44,13 +49,21 @@ export class Measurer {
       rate,
       drift: s[5]!,
       packing: s[6]!,
-      compressibility: s[7]! / this.density,
+      // On a curved wall that moves there is no telling.
+      compressibility: piston ? NaN : s[7]! / this.density,
       density: this.density,
       order,
       histogram,
       binWidth,
-      h: this.boltzmann(vx, vy),
+      h,
     };
+  }
+
+  /** Between walls that take up momentum. */
+  private temperature(vx: Float64Array, vy: Float64Array): number {
+    let energy = 0;
+    for (let k = 0; k < vx.length; ++k) energy += 0.5 * this.kinds[2 * k + 1]! * (vx[k]! * vx[k]! + vy[k]! * vy[k]!);
+    return energy / vx.length;
   }
 
   /** Speeds times √(m/mean m), so that all kinds share one Maxwell distribution. */

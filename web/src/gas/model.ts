@@ -2,8 +2,8 @@
 import { batch, signal } from '@preact/signals';
 import { startWorker } from '#worker';
 import { tomlNumber } from '../engine/scene';
-import { shown, strings } from '../strings';
-import type { Answer, Colour, GasParameters, Made, Measured, Picture, Request } from './messages';
+import { counted, shown, shownSmall, strings } from '../strings';
+import type { Answer, Behind, Colour, GasParameters, Made, Measured, Picture, Recorded, Request } from './messages';
 
 export const defaults: GasParameters = {
   number: 2000,
@@ -14,6 +14,7 @@ export const defaults: GasParameters = {
   fraction: 0,
   radiusRatio: 2,
   massRatio: 4,
+  pistonMass: 1,
   speeds: 'equal',
   seed: 1,
 };
@@ -27,6 +28,7 @@ export const limits = {
   fraction: [0, 1],
   radiusRatio: [0.1, 10],
   massRatio: [0.001, 1000],
+  pistonMass: [0.01, 100],
   seed: [0, 1e9],
 } as const;
 
@@ -36,8 +38,11 @@ export const running = signal(false);
 export const pace = signal(1);
 export const colour = signal<Colour>('speed');
 export const tagging = signal(false);
+/** Whether collisions are being recorded, and what is kept of them; that is there also when no more are. */
+export const recording = signal(false);
+export const recorded = signal<Recorded | null>(null);
 export const box = signal<Made | null>(null);
-/** Whether the gas is held in the left half. */
+/** Whether the gas is held by a wall that can be taken away. */
 export const wallStands = signal(false);
 export const measured = signal<Measured | null>(null);
 /** What was measured, four times a second. */
@@ -54,6 +59,7 @@ let module: WebAssembly.Module;
 let worker: Worker | null = null;
 let onPicture: (picture: Picture) => void = () => undefined;
 let onSaved: (toml: string) => void = () => undefined;
+let onSavedRecorded: (csv: Blob) => void = () => undefined;
 let ratesSeen = 0;
 
 export function startGas(compiled: WebAssembly.Module): void {
@@ -64,7 +70,18 @@ export function onEveryPicture(draw: (picture: Picture) => void): void {
   onPicture = draw;
 }
 
+/** A worker that has not answered for so long (ms) when a new gas is asked for never will. */
+const patience = 4000;
+/** Since when a picture has been waited for; none is if it is Infinity. */
+let waitingSince = Infinity;
+
 export function ask(request: Request): void {
+  if (request.kind === 'make' && performance.now() - waitingSince > patience) {
+    worker!.terminate();
+    worker = null;
+    waitingSince = Infinity;
+  }
+  if (request.kind === 'advance') waitingSince = Math.min(waitingSince, performance.now());
   if (!worker) {
     worker = startWorker();
     worker.onmessage = (event: MessageEvent<Answer>) => hear(event.data);
@@ -82,7 +99,7 @@ export function gasToml(p: GasParameters): string {
     { count: second, radius: 0.5 * p.radiusRatio, mass: p.massRatio },
   ].filter(({ count }) => count > 0);
   const area = kinds.reduce((sum, { count, radius }) => sum + count * radius * radius, 0);
-  const lines = ['[box]', `boundary = "${p.boundary === 'half' ? 'reflecting' : p.boundary}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
+  const lines = ['[box]', `boundary = "${p.boundary === 'periodic' ? 'periodic' : 'reflecting'}"`, '', '[physics]', `restitution = ${tomlNumber(p.restitution)}`, 'wall_restitution = 1.0'];
   for (const { count, radius, mass } of kinds) {
     const share = (count * radius * radius) / area;
     lines.push('', '[[gas]]', `count = ${count}`, `packing_fraction = ${tomlNumber(p.packing * share)}`);
@@ -94,20 +111,27 @@ export function gasToml(p: GasParameters): string {
   return `title = "Gas of ${p.number} disks at packing fraction ${p.packing}"\n\n${lines.join('\n')}\n`;
 }
 
+function behindWall({ boundary, pistonMass }: GasParameters): Behind | null {
+  if (boundary === 'piston') return { piston: pistonMass };
+  return boundary === 'half' ? { piston: null } : null;
+}
+
 export function makeGas(): void {
   batch(() => {
     history.value = [];
     measured.value = null;
     said.value = '';
+    recorded.value = null;
   });
   ratesSeen = 0;
   const made = opened.value === null;
-  const { speeds, boundary } = parameters.value;
+  const { speeds } = parameters.value;
   ask({
     kind: 'make',
     toml: opened.value ?? gasToml(parameters.value),
     equalSpeeds: made && speeds === 'equal',
-    half: made && boundary === 'half',
+    behind: made ? behindWall(parameters.value) : null,
+    record: recording.value,
   });
   ask({ kind: 'advance', time: 0, colour: colour.value, tag: tagging.value, measure: true });
 }
@@ -124,7 +148,27 @@ export function saveGas(then: (toml: string) => void): void {
   ask({ kind: 'save' });
 }
 
+/** What was recorded before is lost when recording starts anew. */
+export function setRecording(on: boolean): void {
+  recording.value = on;
+  ask({ kind: 'record', on });
+}
+
+/** Calls back with the table of what was recorded. */
+export function saveRecorded(then: (csv: Blob) => void): void {
+  onSavedRecorded = then;
+  ask({ kind: 'saveRecorded' });
+}
+
+/** Says when no more are kept. */
+function noteRecorded(next: Recorded): void {
+  const full = next.count === next.most && (recorded.value?.count ?? 0) < next.most;
+  recorded.value = next;
+  if (full) said.value = strings.value.gas.recordingFull(counted(next.most));
+}
+
 function hear(answer: Answer): void {
+  if (answer.kind === 'picture' || answer.kind === 'error') waitingSince = Infinity;
   const words = strings.value.gas;
   switch (answer.kind) {
     case 'made':
@@ -144,7 +188,7 @@ function hear(answer: Answer): void {
       batch(() => {
         running.value = false;
         const far = answer.distance > 0.1;
-        said.value = `${words.returned(answer.distance.toExponential(1))} ${far ? words.forgot : words.remembers}`;
+        said.value = `${words.returned(shownSmall(answer.distance))} ${far ? words.forgot : words.remembers}`;
       });
       break;
     case 'wallBack':
@@ -153,6 +197,12 @@ function hear(answer: Answer): void {
       break;
     case 'saved':
       onSaved(answer.toml);
+      break;
+    case 'recorded':
+      noteRecorded(answer);
+      break;
+    case 'savedRecorded':
+      onSavedRecorded(answer.csv);
       break;
     case 'error':
       batch(() => {

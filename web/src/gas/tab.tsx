@@ -1,10 +1,10 @@
 // The tab "Gas".
 import { useEffect } from 'preact/hooks';
-import { counted, shown, strings } from '../strings';
+import { counted, shown, shownSmall, strings } from '../strings';
 import { Icon } from '../ui/icon';
 import { HChart, PressureChart, SpeedChart } from './charts';
 import { GasControls } from './controls';
-import { ask, box, colour, frameTimes, history, limited, makeGas, measured, pace, parameters, running, said } from './model';
+import { ask, box, colour, frameTimes, history, limited, makeGas, measured, pace, parameters, running, said, wallStands } from './model';
 import { shadeColour } from './shades';
 import { GasStage } from './stage';
 import { collisionRateOf, compressibilityOf } from './theory';
@@ -122,7 +122,7 @@ function Readings() {
   const words = strings.value.gas;
   const now = measured.value!;
   const { fraction, restitution, temperature } = parameters.value;
-  const simple = fraction === 0 && restitution === 1;
+  const simple = fraction === 0 && restitution === 1 && !(now.piston && !wallStands.value);
   const z = simple ? compressibilityOf(now.packing) : undefined;
   const rate = simple ? collisionRateOf(now.packing, now.kT || temperature, 1, 1) : undefined;
   const theory = (value: number | undefined) => (value === undefined ? '' : ` (${words.theory} ${shown(value, 3)})`);
@@ -132,9 +132,15 @@ function Readings() {
     ['rate', words.rate, shown(now.rate, 3) + theory(rate)],
     ['z', words.compressibility, shown(meanZ(now.packing), 3) + theory(z)],
     ['kT', words.kT, shown(now.kT, 4)],
-    ['drift', words.drift, now.drift.toExponential(1).replace('-', '−').replace('e-', 'e−')],
+    ['drift', words.drift, shownSmall(now.drift)],
     ['order', words.order, shown(now.order, 3)],
     ...(now.inHalf === undefined ? [] : [['half', words.inHalf, words.percent(shown(100 * now.inHalf, 1))] as [string, string, string]]),
+    ...(now.piston
+      ? [
+          ['piston', words.pistonMoved, shown(now.piston.moved, 1)] as [string, string, string],
+          ['piston-energy', words.pistonEnergy, words.percent(shown(100 * now.piston.energy, 1))] as [string, string, string],
+        ]
+      : []),
     ['frame', words.frame, words.frameIs(shown(frameTimes.value.work, 1), shown(frameTimes.value.draw, 1), shown(frameTimes.value.perSecond, 0))],
   ];
   return (

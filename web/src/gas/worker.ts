@@ -1,12 +1,16 @@
 // Runs the gas beside the page, so that neither waits for the other.
 import { Engine } from '../engine/module';
+import { csvHeader } from '../share/table';
 import { Measurer } from './measure';
-import type { Answer, Colour, Request } from './messages';
+import { Piston, pistonFor, roomWith } from './piston';
+import type { Answer, Behind, Colour, Measured, Request } from './messages';
 
 const frameBudget = 13; // ms of work between two pictures
 
 let engine: Engine;
 let count = 0;
+/** Disks that are no piston; one is the last disk. */
+let gas = 0;
 let size = { x: 1, y: 1 };
 let kinds = new Float64Array();
 let measurer: Measurer;
@@ -17,8 +21,16 @@ let pace = 0.001;
  * NaN if the way that the gas is on does not lead there.
  */
 let start = { x: new Float64Array(), y: new Float64Array(), time: 0 };
-/** The wall that holds the gas in the left half: where it stands, and when it was taken away, turned over likewise. */
-let wall: { x: number; removedAt: number } | null = null;
+/** What holds the gas, until it is taken away. */
+interface Wall {
+  x: number;
+  /** Turned over as the time of the start is; NaN while it stands. */
+  removedAt: number;
+  behind: Behind;
+}
+let wall: Wall | null = null;
+/** Whether contacts are being recorded. */
+let recording = false;
 /** The disk that is tagged: the one nearest to the middle at the start. */
 let tagged = 0;
 
@@ -31,19 +43,44 @@ function made(continues: boolean): void {
   const summary = engine.numbers('gas_summary', 12);
   size = { x: summary[9]!, y: summary[10]! };
   kinds = engine.numbers('gas_kinds', 2 * count);
-  measurer = new Measurer(kinds, size, summary[11]!, { time: summary[0]!, collisions: summary[1]! });
-  say({ kind: 'made', width: size.x, height: size.y, room: wall ? 2 * wall.x : size.x, kinds, continues });
+  measurer = new Measurer(kinds.subarray(0, 2 * gas), size, summary[11]!, { time: summary[0]!, collisions: summary[1]! });
+  const waiting = wall && size.x === wall.x ? pistonOf(wall) : null;
+  say({ kind: 'made', width: size.x, height: size.y, room: wall ? roomOf(wall) : size.x, kinds, continues, waiting, piston: count > gas });
 }
 
-function make({ toml, equalSpeeds, half }: Request & { kind: 'make' }): void {
+const pistonOf = ({ x, behind }: Wall): Piston | null => (behind.piston === null ? null : pistonFor(x, size.y, kinds.subarray(0, 2 * gas), behind.piston));
+const roomOf = (held: Wall): number => roomWith(held.x, pistonOf(held));
+
+function make({ toml, equalSpeeds, behind, record }: Request & { kind: 'make' }): void {
   engine.setInput(toml);
-  count = engine.tryCall('gas_open', -1);
+  count = gas = engine.tryCall('gas_open', -1);
   if (equalSpeeds) engine.tryCall('gas_equal_speeds', 0);
   start = { x: column('x').slice(), y: column('y').slice(), time: 0 };
   pace = 0.001;
-  wall = half ? { x: engine.numbers('gas_summary', 12)[9]!, removedAt: NaN } : null;
+  wall = behind ? { x: engine.numbers('gas_summary', 12)[9]!, removedAt: NaN, behind } : null;
   made(false);
   tagged = nearestToMiddle();
+  recording = false;
+  if (record) setRecording(true);
+}
+
+function setRecording(on: boolean): void {
+  recording = on;
+  engine.tryCall('gas_record', 0, on ? 1 : 0);
+  sayRecorded();
+}
+
+function sayRecorded(): void {
+  const [contacts, most, from] = engine.numbers('gas_recorded', 3);
+  say({ kind: 'recorded', count: contacts!, most: most!, from: from! });
+}
+
+/** The table is put together in parts, none of which is large. */
+function saveRecorded(): void {
+  const parts = [`${csvHeader}\n`];
+  const next = (row: number): number => engine.tryCall('gas_recorded_rows', -1, row);
+  for (let row = 0, rows = next(0); rows > 0; row += rows, rows = next(row)) parts.push(engine.text());
+  say({ kind: 'savedRecorded', csv: new Blob(parts, { type: 'text/csv;charset=utf-8' }) });
 }
 
 function nearestToMiddle(): number {
@@ -81,9 +118,12 @@ function arriveAtMoment(): void {
   if (time() === start.time) say({ kind: 'returned', distance: distanceFromStart() });
 }
 
-/** To the other size of the box at this moment; all disks go on as they are. */
-function resize(width: number): void {
+/** To the other size of the box at this moment, with the piston or without; all others go on as they are. */
+function resize(width: number, piston: Piston | null): void {
+  if (!piston && count > gas) engine.tryCall('gas_remove_last_disk', 0);
   engine.tryCall('gas_resize', 0, width, size.y);
+  if (piston) engine.tryCall('gas_add_disk', 0, piston.radius, piston.mass, piston.x, piston.y);
+  count = gas + (piston ? 1 : 0);
   made(true);
 }
 
@@ -92,17 +132,17 @@ function removeWall(): void {
   wall.removedAt = time();
   // A gas on its way back has another way from here on.
   if (start.time > time()) start.time = NaN;
-  resize(2 * wall.x);
+  resize(roomOf(wall), pistonOf(wall));
 }
 
-/** Where the gas, on its way back, stands as when the wall was taken away; if it forgot the way, it is not in the half. */
-function putBack(from: NonNullable<typeof wall>): void {
+/** Where the gas, on its way back, stands as when the wall was taken away; if it forgot the way, it is not behind it. */
+function putBack(from: Wall): void {
   const x = column('x');
   let over = 0;
-  for (let k = 0; k < count; ++k) if (x[k]! + kinds[2 * k]! > from.x * (1 + 1e-12)) ++over;
-  wall = { x: from.x, removedAt: NaN };
+  for (let k = 0; k < gas; ++k) if (x[k]! + kinds[2 * k]! > from.x * (1 + 1e-12)) ++over;
+  wall = { ...from, removedAt: NaN };
   if (over > 0) start.time = NaN;
-  else resize(from.x);
+  else resize(from.x, null);
   say({ kind: 'wallBack', over });
 }
 
@@ -119,18 +159,24 @@ function shareInHalf(): number {
   return x.reduce((sum, one) => sum + (one < wall!.x ? 1 : 0), 0) / count;
 }
 
+function pistonNow({ x, mass }: Piston): NonNullable<Measured['piston']> {
+  const [vx, vy] = [column('vx')[gas]!, column('vy')[gas]!];
+  const energy = engine.numbers('gas_summary', 12)[4]!;
+  return { moved: column('x')[gas]! - x, energy: (0.5 * mass * (vx * vx + vy * vy)) / energy };
+}
+
 /** Root mean square distance from the places at the start, in mean diameters. */
 function distanceFromStart(): number {
   const x = column('x');
   const y = column('y');
   let sum = 0;
   let diameters = 0;
-  for (let k = 0; k < count; ++k) {
+  for (let k = 0; k < gas; ++k) {
     const folded = (d: number, length: number): number => d - length * Math.round(d / length);
     sum += folded(x[k]! - start.x[k]!, size.x) ** 2 + folded(y[k]! - start.y[k]!, size.y) ** 2;
     diameters += 2 * kinds[2 * k]!;
   }
-  return Math.sqrt(sum / count) / (diameters / count);
+  return Math.sqrt(sum / gas) / (diameters / gas);
 }
 
 function disksOf(colour: Colour): Float32Array {
@@ -148,6 +194,8 @@ function disksOf(colour: Colour): Float32Array {
     else if (order) shade = order[k + 1]!;
     picture[3 * k + 2] = shade;
   }
+  // What is said of disks by their colours is not said of a piston.
+  if (count > gas) picture[3 * gas + 2] = -1;
   return picture;
 }
 
@@ -157,18 +205,27 @@ function placeOfTagged(): { x: number; y: number } {
   return { x: column('x')[tagged]! + turns('x') * size.x, y: column('y')[tagged]! + turns('y') * size.y };
 }
 
+function tellOf(held: Wall, measured: Measured): void {
+  const piston = pistonOf(held);
+  if (!piston) measured.inHalf = shareInHalf();
+  else measured.piston = count > gas ? pistonNow(piston) : { moved: 0, energy: 0 };
+}
+
 function show(request: Request & { kind: 'advance' }): void {
   const begin = performance.now();
   const arrived = request.time > 0 ? advance(request.time) : true;
-  const measured = request.measure ? measurer.measure(engine, count) : null;
-  if (measured && wall) measured.inHalf = shareInHalf();
+  const measured = request.measure ? measurer.measure(engine, count > gas) : null;
+  if (measured && wall) tellOf(wall, measured);
   if (request.measure) engine.call('gas_measure_anew');
+  if (request.measure && recording) sayRecorded();
   const disks = disksOf(request.colour);
   const work = performance.now() - begin;
   say({ kind: 'picture', disks, tagged: request.tag ? placeOfTagged() : null, time: time(), limited: !arrived, work, measured }, [disks.buffer]);
 }
 
 async function answer(request: Request): Promise<void> {
+  // Of a first gas that could not be made there is nothing to ask.
+  if (count === 0 && request.kind !== 'start' && request.kind !== 'make') return;
   switch (request.kind) {
     case 'start':
       engine = await Engine.start(request.module);
@@ -177,13 +234,22 @@ async function answer(request: Request): Promise<void> {
       make(request);
       break;
     case 'advance':
-      if (count > 0) show(request);
+      show(request);
       break;
     case 'reverse':
       reverse();
       break;
     case 'removeWall':
       removeWall();
+      break;
+    case 'record':
+      setRecording(request.on);
+      break;
+    case 'countRecorded':
+      sayRecorded();
+      break;
+    case 'saveRecorded':
+      saveRecorded();
       break;
     case 'save':
       engine.tryCall('gas_toml', 0);

@@ -2,7 +2,7 @@
 import { useRef } from 'preact/hooks';
 import type { Contact } from '../engine/playback';
 import { announce, contactsSoFar, playback } from '../lab/model';
-import { history as measurements, said } from '../gas/model';
+import { history as measurements, recorded, said, saveRecorded } from '../gas/model';
 import { gasDrawing } from '../gas/stage';
 import { strings } from '../strings';
 import { tab } from '../ui/app';
@@ -18,6 +18,7 @@ export function ShareDialog() {
   const menu = words.shareMenu;
   const picker = useRef<HTMLInputElement>(null);
   const inLab = tab.value === 'lab';
+  const someRecorded = recorded.value !== null;
   return (
     <Dialog name="share" heading={menu.heading}>
       <div class="menu">
@@ -52,7 +53,17 @@ export function ShareDialog() {
         <button type="button" id="save-csv" onClick={saveCsv}>
           {inLab ? menu.csv : menu.csvOfGas}
         </button>
+        {!inLab && (
+          <button type="button" id="save-collisions" aria-disabled={!someRecorded} onClick={saveCollisions} aria-describedby={someRecorded ? undefined : 'none-recorded'}>
+            {menu.csvOfCollisions}
+          </button>
+        )}
       </div>
+      {!inLab && !someRecorded && (
+        <p class="note" id="none-recorded">
+          {menu.noneRecorded}
+        </p>
+      )}
       <p class="note">{menu.drop}</p>
     </Dialog>
   );
@@ -75,6 +86,10 @@ async function savePng(): Promise<void> {
 function saveSvg(): void {
   const gas = gasDrawing.value;
   save(gas ? 'gas.svg' : 'collision.svg', gas ? gas.svg() : standaloneSvg());
+}
+
+function saveCollisions(): void {
+  if (recorded.value) saveRecorded((csv) => save('collisions.csv', csv));
 }
 
 function saveCsv(): void {

@@ -1,5 +1,6 @@
 // Files that come in and go out. Nothing is sent anywhere.
 import { batch } from '@preact/signals';
+import { EngineError } from '../engine/module';
 import { Scene, parseScene, sceneToml } from '../engine/scene';
 import { makeGas, opened, saveGas, said } from '../gas/model';
 import { announce, engine, load, sceneOf, setup, disksNow } from '../lab/model';
@@ -9,6 +10,10 @@ import { tab } from '../ui/app';
 
 /** More disks than this are a gas. */
 const mostInLab = 20;
+/** Of a file: a hundred thousand disks take half of that. */
+const mostBytes = 20e6;
+/** Of what is wrong with a file so much is said. */
+const mostProblems = 3;
 
 export function save(name: string, content: string | Blob): void {
   const blob = typeof content === 'string' ? new Blob([content], { type: 'text/plain;charset=utf-8' }) : content;
@@ -19,15 +24,23 @@ export function save(name: string, content: string | Blob): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-export function openSceneText(text: string, name: string): void {
+function refuse(name: string, reason: string): void {
+  const problems = reason.split('\n');
+  const more = problems.length - mostProblems;
+  const shown = problems.slice(0, mostProblems).join('\n');
+  const message = `${name}: ${shown}${more > 0 ? `\n${strings.value.shareMenu.more(more)}` : ''}`;
+  announce(message);
+  said.value = message;
+}
+
+export async function openSceneText(text: string, name: string): Promise<void> {
   const words = strings.value;
   let scene: Scene;
   try {
-    scene = parseScene(engine(), text);
+    // An engine of its own: a file that is made to break one breaks no other.
+    scene = parseScene(await engine().another(), text);
   } catch (error) {
-    const message = `${name}: ${error instanceof Error ? error.message : String(error)}`;
-    announce(message);
-    said.value = message;
+    refuse(name, error instanceof EngineError ? error.message : words.shareMenu.notRead);
     return;
   }
   if (scene.disks.length > mostInLab && !(scene.width > 0 && scene.height > 0)) {
@@ -49,7 +62,8 @@ export function openSceneText(text: string, name: string): void {
 }
 
 export async function openFile(file: File): Promise<void> {
-  openSceneText(await file.text(), file.name);
+  if (file.size > mostBytes) refuse(file.name, strings.value.shareMenu.tooLarge);
+  else await openSceneText(await file.text(), file.name);
 }
 
 export function saveScene(): void {

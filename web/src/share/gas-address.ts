@@ -1,6 +1,6 @@
 // A gas in the page's address: its parameters, its seed, and how it is shown.
 import type { Colour, GasParameters } from '../gas/messages';
-import { colour, defaults, limits, pace, tagging } from '../gas/model';
+import { colour, defaults, limits, pace, recording, tagging } from '../gas/model';
 import { valuesOf } from './values';
 
 /** How the gas is shown. */
@@ -8,11 +8,12 @@ export interface GasView {
   pace: number;
   colour: Colour;
   tag: boolean;
+  record: boolean;
 }
 
-export const usualGasView: GasView = { pace: 1, colour: 'speed', tag: false };
+export const usualGasView: GasView = { pace: 1, colour: 'speed', tag: false, record: false };
 const colours = ['speed', 'kind', 'order', 'none'] as const satisfies readonly Colour[];
-const boundaries = ['periodic', 'reflecting', 'half'] as const satisfies readonly GasParameters['boundary'][];
+const boundaries = ['periodic', 'reflecting', 'half', 'piston'] as const satisfies readonly GasParameters['boundary'][];
 
 export function gasHash(p: GasParameters, view: GasView = usualGasView): string {
   const changed = (Object.keys(defaults) as (keyof GasParameters)[]).filter((key) => p[key] !== defaults[key] || key === 'seed');
@@ -20,6 +21,7 @@ export function gasHash(p: GasParameters, view: GasView = usualGasView): string 
   if (view.pace !== usualGasView.pace) parts.push(`pace=${view.pace}`);
   if (view.colour !== usualGasView.colour) parts.push(`colour=${view.colour}`);
   if (view.tag) parts.push('tag=1');
+  if (view.record) parts.push('record=1');
   return `#gas&${parts.join('&')}`;
 }
 
@@ -45,13 +47,15 @@ export function gasViewOf(hash: string): GasView {
     pace: given > 0 ? Math.min(1000, Math.max(0.01, given)) : usualGasView.pace,
     colour: colours.find((one) => one === values.get('colour')) ?? usualGasView.colour,
     tag: values.get('tag') === '1',
+    record: values.get('record') === '1',
   };
 }
 
-export const gasViewNow = (): GasView => ({ pace: pace.value, colour: colour.value, tag: tagging.value });
+export const gasViewNow = (): GasView => ({ pace: pace.value, colour: colour.value, tag: tagging.value, record: recording.value });
 
 export function showGasAs(view: GasView): void {
   pace.value = view.pace;
   colour.value = view.colour;
   tagging.value = view.tag;
+  recording.value = view.record;
 }

@@ -16,6 +16,9 @@ export function csvOf(contacts: readonly Contact[]): string {
 /** Cells of what there is not stay empty. */
 export function csvOfGas(measured: readonly Measured[]): string {
   const columns = ['time', 'collisions', 'rate', 'kT', 'compressibility', 'h', 'order', 'packing', 'drift'] as const;
+  const head = 'time,collisions,collisions_per_disk_and_time,kT,Z,H,psi6,packing_fraction,energy_drift';
   const rows = measured.map((one) => columns.map((name) => (Number.isFinite(one[name]) ? one[name] : '')));
-  return table('time,collisions,collisions_per_disk_and_time,kT,Z,H,psi6,packing_fraction,energy_drift', rows);
+  if (!measured.some(({ piston }) => piston)) return table(head, rows);
+  const withPiston = rows.map((row, k) => [...row, measured[k]!.piston?.moved ?? '', measured[k]!.piston?.energy ?? '']);
+  return table(`${head},piston_moved,piston_energy_share`, withPiston);
 }

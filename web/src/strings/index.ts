@@ -27,6 +27,16 @@ export function shown(value: number, decimals = 2): string {
   return /[1-9]/.test(text) ? text : text.replace('−', '');
 }
 
+const raised = (exponent: number): string => [...String(exponent)].map((sign) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(sign)]!).join('');
+
+/** A number that may be far below 1: two digits and a power of ten. */
+export function shownSmall(value: number): string {
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const [digits, exponent] = value.toExponential(1).split('e').map(Number) as [number, number];
+  return `${shown(digits, 1)}·10${raised(exponent)}`;
+}
+
 /** A count, with groups of three digits. */
 export function counted(value: number): string {
   return new Intl.NumberFormat(language.value).format(value);

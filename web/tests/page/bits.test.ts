@@ -68,6 +68,24 @@ function ask(path: string, host?: string): Promise<{ status: number; policy: str
   });
 }
 
+describe('the page in one file', () => {
+  it('works from a disk, with its gas, and asks for nothing', async () => {
+    const { page, troubles, context } = await open(browser, `file://${root}web/dist/single/carom-lab.html`);
+    await page.click('#next-contact');
+    expect(await page.textContent('#said')).toContain('Disks 1 and 2 collided');
+    await page.click('#panel-derivation');
+    await page.waitForSelector('.katex');
+    await page.click('#tab-gas');
+    await page.click('#gas-play');
+    await page.waitForFunction(() => /[1-9]/.test(document.querySelector('#gas-collisions')?.textContent ?? ''));
+    const policy = (await page.getAttribute('meta[http-equiv]', 'content'))!;
+    expect(policy).toContain("default-src 'none'");
+    expect(policy).not.toContain('unsafe-inline');
+    expect(troubles).toEqual([]);
+    await context.close();
+  });
+});
+
 describe('carom lab', () => {
   it('serves the page, under its strict policy', async () => {
     const { page, troubles, context } = await open(browser, address);

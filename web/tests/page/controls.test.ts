@@ -73,6 +73,24 @@ describe('the table', () => {
     await page.keyboard.press('Tab');
     await expect.poll(() => value(2, 2)).toBe(0.5);
   });
+  it('takes mass, radius, place and velocity of every disk, and they collide as the program says', async () => {
+    const typed = [[1.5, 0.4, 1.25, 1.75, 0.85, 0.1], [2.5, 0.6, 4.75, 2.25, -0.35, -0.05]];
+    for (const [disk, numbers] of typed.entries()) {
+      for (const [what, number] of numbers.entries()) {
+        await cell(disk + 1, what + 1).fill(`${number}`);
+        await page.keyboard.press('Enter');
+        await expect.poll(() => value(disk + 1, what + 1)).toBe(number);
+      }
+    }
+    const json = collided(typed[0]!, typed[1]!);
+    await page.click('#next-contact');
+    expect(await clock()).toBeCloseTo(json.time_of_contact, 2);
+    const [one, two] = [await row(1), await row(2)];
+    const shownNow = [...one.slice(2), ...two.slice(2)];
+    [...json.position1, ...json.velocity1_after, ...json.position2, ...json.velocity2_after].forEach((number: number, k: number) =>
+      expect(shownNow[k]).toBeCloseTo(number, 3),
+    );
+  });
   it('pushes a disk that grows off the wall', async () => {
     await cell(1, 2).fill('1.8');
     await page.keyboard.press('Enter');
@@ -137,6 +155,29 @@ describe('time', () => {
   });
 });
 
+describe('slow motion', () => {
+  it('shows a fifth as much in the same time', async () => {
+    const opened = await lab.browser.newPage();
+    await opened.clock.install();
+    await opened.goto(lab.address);
+    await opened.waitForSelector('html[data-ready]');
+    const passed = async (): Promise<number> => {
+      await opened.click('#restart');
+      await opened.click('#play');
+      await opened.clock.runFor(1000);
+      await opened.click('#play');
+      return Number(await opened.textContent('#clock'));
+    };
+    const usual = await passed();
+    await opened.focus('#slow');
+    await opened.keyboard.press(' ');
+    const slow = await passed();
+    expect(usual).toBeGreaterThan(0.5);
+    expect(slow / usual).toBeCloseTo(0.2, 1);
+    await opened.close();
+  });
+});
+
 describe('what is shown', () => {
   it('is chosen by mouse and by keyboard', async () => {
     await page.click('#next-contact');
@@ -197,7 +238,8 @@ describe('the derivation', () => {
     const disks = [await row(1), await row(2)];
     await page.click('#panel-derivation');
     const words = ([m, R, x, y, vx, vy]: number[]): string => [x, y, vx, vy, m, R].join(',');
-    const printed = carom(['collide', '--disk', words(disks[0]!), '--disk', words(disks[1]!), '--advance', '--explain', '--format', 'markdown']);
+    const asked = ['collide', '--disk', words(disks[0]!), '--disk', words(disks[1]!), '--advance', '--explain'];
+    const printed = carom([...asked, '--format', 'markdown']);
     const headings = [...printed.matchAll(/^## (.*)$/gm)].map((match) => match[1]!);
     for (const [k, heading] of headings.entries()) {
       expect(await page.textContent('.sheet h2')).toBe(heading);
@@ -215,7 +257,7 @@ describe('the derivation', () => {
     await page.click('#copy-markdown');
     await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toBe(printed);
     await page.click('#copy-latex');
-    await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain('\\begin{document}');
+    await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toBe(carom([...asked, '--format', 'latex']));
     await page.click('.errata summary');
     expect(await page.locator('.errata li').count()).toBe(7);
   });

@@ -6,6 +6,7 @@ import { inflateSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { open } from '../browser';
+import { carom, root } from '../engine';
 import { openedLab } from './lab';
 
 const lab = openedLab('#gas&number=200&packing=0.1&seed=3');
@@ -14,8 +15,11 @@ beforeEach(() => {
   page = lab.page;
 });
 
-const reading = async (name: string): Promise<number> =>
-  parseFloat((await page.textContent(`#gas-${name}`))!.replace(/,/g, '').replace('−', '-').replace('e−', 'e-'));
+const reading = async (name: string): Promise<number> => {
+  const [digits, power] = (await page.textContent(`#gas-${name}`))!.replace(/,/g, '').replace('−', '-').split('·10');
+  const exponent = [...(power ?? '⁰')].map((sign) => '-0123456789'['⁻⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(sign)]).join('');
+  return parseFloat(digits!) * 10 ** Number(exponent);
+};
 
 describe('gas', () => {
   it('runs, keeps its energy, and collides at the rate that theory says', async () => {
@@ -31,6 +35,10 @@ describe('gas', () => {
     // Kolafa and Rottner: Z = 1.236 at this density; over ten seconds of 200 disks it scatters by some per cent.
     expect(await reading('z')).toBeGreaterThan(1.1);
     expect(await reading('z')).toBeLessThan(1.4);
+    const theory = Number(/theory ([\d.]+)/.exec((await page.textContent('#gas-rate'))!)![1]);
+    const rate = (2 * (await reading('collisions'))) / (200 * (await reading('time')));
+    expect(rate / theory).toBeGreaterThan(0.9);
+    expect(rate / theory).toBeLessThan(1.1);
   });
   it('comes back to its start when turned round', async () => {
     await page.click('#gas-play');
@@ -80,13 +88,49 @@ describe('gas', () => {
     await expect.poll(() => reading('half'), { timeout: 60000 }).toBeLessThan(90);
     expect(await page.getAttribute('#gas-remove-wall', 'aria-disabled')).toBe('true');
     await page.click('#gas-reverse');
-    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('back in the left half'), undefined, { timeout: 60000 });
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('which stands again'), undefined, { timeout: 60000 });
     await expect.poll(() => page.getAttribute('#gas-remove-wall', 'aria-disabled')).toBe('false');
     await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('It remembers.'), undefined, { timeout: 60000 });
     await page.click('#gas-remove-wall');
     await page.click('#open-share');
     await page.click('#copy-link');
     await page.waitForFunction(() => location.hash.includes('boundary=half'));
+  });
+});
+
+describe('its piston', () => {
+  it('is pushed at the cost of the gas’s energy, by keyboard, and comes back with it', async () => {
+    await page.fill('#gas-number', '60');
+    await page.keyboard.press('Enter');
+    await page.focus('#gas-boundary');
+    await page.keyboard.press('End');
+    expect(await page.inputValue('#gas-boundary')).toBe('piston');
+    await page.focus('#gas-pistonMass');
+    await page.keyboard.type('0.2');
+    await page.keyboard.press('Enter');
+    await page.focus('#gas-play');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => reading('time'), { timeout: 20000 }).toBeGreaterThan(0.5);
+    expect(await reading('piston')).toBe(0);
+    expect(await reading('kT')).toBe(1);
+    await page.focus('#gas-remove-wall');
+    await page.keyboard.press('Enter');
+    expect(await page.textContent('#gas-said')).toContain('The piston is free');
+    await expect.poll(() => reading('piston-energy'), { timeout: 60000 }).toBeGreaterThan(5);
+    await page.focus('#gas-play');
+    await page.keyboard.press('Enter');
+    expect(await reading('piston')).toBeGreaterThan(0);
+    // Between walls kT is the gas's energy per disk: what it lost the piston has.
+    const left = 1 - (await reading('piston-energy')) / 100;
+    expect(await reading('kT')).toBeCloseTo(left, 2);
+    expect(Math.abs(await reading('drift'))).toBeLessThan(1e-12);
+    await page.click('#gas-reverse');
+    await page.click('#gas-play');
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('It remembers.'), undefined, { timeout: 60000 });
+    expect(await page.getAttribute('#gas-remove-wall', 'aria-disabled')).toBe('false');
+    await page.click('#open-share');
+    await page.click('#copy-link');
+    await page.waitForFunction(() => location.hash.includes('boundary=piston&') && location.hash.includes('pistonMass=0.2'));
   });
 });
 
@@ -112,13 +156,15 @@ describe('its controls', () => {
       await page.focus(`#gas-${id}`);
       await page.keyboard.press('ArrowDown');
     }
-    await page.focus('#gas-tag');
-    await page.keyboard.press(' ');
+    for (const id of ['tag', 'record']) {
+      await page.focus(`#gas-${id}`);
+      await page.keyboard.press(' ');
+    }
     await page.focus('#pace');
     await page.keyboard.press('Home');
     expect(await page.getAttribute('#pace', 'aria-valuetext')).toContain('0.01');
     await expect.poll(() => reading('kT'), { timeout: 20000 }).toBeGreaterThan(1.7);
-    const said = { number: '150', packing: '0.2', temperature: '2', boundary: 'reflecting', restitution: '0.9', fraction: '0.4', radiusRatio: '1.5', massRatio: '3', speeds: 'maxwell', seed: '8', pace: '0.01', colour: 'kind', tag: '1' };
+    const said = { number: '150', packing: '0.2', temperature: '2', boundary: 'reflecting', restitution: '0.9', fraction: '0.4', radiusRatio: '1.5', massRatio: '3', speeds: 'maxwell', seed: '8', pace: '0.01', colour: 'kind', tag: '1', record: '1' };
     expect(await address()).toEqual(said);
     await page.evaluate(() => (document.activeElement as HTMLElement).blur());
     await page.keyboard.press(' ');
@@ -188,6 +234,66 @@ function imagesOf(pdf: Buffer): number[][][] {
   }
   return found;
 }
+
+describe('its collisions', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'carom-collisions-'));
+  async function download(work: () => Promise<unknown>): Promise<string> {
+    const [download] = await Promise.all([page.waitForEvent('download'), work()]);
+    const path = join(folder, download.suggestedFilename());
+    await download.saveAs(path);
+    return path;
+  }
+  async function openShare(): Promise<void> {
+    await page.focus('#open-share');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#dialog-share[open]');
+  }
+  const linesOf = (path: string): string[] => readFileSync(path, 'utf8').trim().split('\n');
+  /** The program's log of the same scene, with as many rows. */
+  function logged(scene: string, like: string[]): string[] {
+    const log = join(folder, 'log.csv');
+    const until = Number(like.at(-1)!.split(',')[0]) + 1e-3;
+    carom(['run', scene, '--until', `${until}`, '--log-collisions', log, '--json', '--quiet']);
+    return linesOf(log).slice(0, like.length);
+  }
+  it('are recorded and saved, by keyboard, as the program logs those of the same scene', async () => {
+    await page.waitForSelector('#gas-time');
+    await openShare();
+    const scene = await download(() => page.press('#save-scene', 'Enter'));
+    expect(await page.getAttribute('#save-collisions', 'aria-disabled')).toBe('true');
+    expect(await page.textContent('#none-recorded')).toContain('Record collisions');
+    await page.keyboard.press('Escape');
+    await page.focus('#gas-record');
+    await page.keyboard.press(' ');
+    await page.waitForSelector('#gas-recorded');
+    await page.focus('#gas-play');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => reading('collisions'), { timeout: 20000 }).toBeGreaterThan(100);
+    await page.keyboard.press('Enter');
+    await openShare();
+    const found = linesOf(await download(() => page.press('#save-collisions', 'Enter')));
+    expect(found.length).toBeGreaterThan(100);
+    expect(found).toEqual(logged(scene, found));
+    await page.click('#close-share');
+    expect(await page.textContent('#gas-recorded')).toContain(`${found.length - 1} recorded from time 0.00 on, those at walls too; at most 200,000.`);
+  });
+  it('are recorded of a scene that was opened, and begin anew with it, by mouse, in German', async () => {
+    await page.selectOption('#language', 'de');
+    await page.click('#gas-record');
+    const scene = `${root}scenes/mixture.toml`;
+    await page.setInputFiles('#scene-file', scene);
+    await page.waitForFunction(() => document.querySelector('#gas-said')!.textContent!.includes('läuft als Gas'));
+    await page.click('#gas-play');
+    await expect.poll(() => page.textContent('#gas-recorded'), { timeout: 20000 }).toMatch(/^\d+\.\d{3} aufgezeichnet ab Zeit 0,00/);
+    await page.click('#gas-play');
+    await page.click('#gas-record');
+    await page.click('#gas-play');
+    await page.click('#open-share');
+    const found = linesOf(await download(() => page.click('#save-collisions')));
+    expect(found.length).toBeGreaterThan(1000);
+    expect(found).toEqual(logged(scene, found));
+  });
+});
 
 describe('its picture', () => {
   const folder = mkdtempSync(join(tmpdir(), 'carom-gas-'));
