@@ -230,7 +230,7 @@ class Stopped(SweepTest):
             path.write_bytes(path.read_bytes()[:-100])
         done = self.carom(*self.WORDS, "o")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("run.collisions=300000,replica=1: ", done.stderr)
+        self.assertIn("run.collisions=900000,replica=1: ", done.stderr)
         self.assertTrue(newest.exists() and previous.exists())
         # One of another run is not gone on with.
         for path in (newest, previous):
