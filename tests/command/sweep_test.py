@@ -234,7 +234,7 @@ class Stopped(SweepTest):
         self.assertTrue(newest.exists() and previous.exists())
         # One of another run is not gone on with.
         for path in (newest, previous):
-            path.write_bytes(self.path(f"whole/runs/run.collisions=200000,replica=1/{path.name}").read_bytes())
+            path.write_bytes(self.path(f"whole/runs/run.collisions=600000,replica=1/{path.name}").read_bytes())
         done = json.loads(self.succeed(*self.WORDS, "o", "--json").stdout)
         self.assertEqual((done["kept"], done["resumed"]), (3, 0))
         self.assertEqual(self.tables("o"), self.tables("whole"))
