@@ -386,7 +386,7 @@ struct VectorKernel {
       hn::StoreU(hn::Compress(disks, hn::Mask256<std::int32_t>{kept}), half, found + size);
       size += std::popcount(static_cast<unsigned>(kept));
     }
-    const bool all = (full == 0) & (hn::GetLane(hn::MaxOfLanes(d, farthest)) < far_squared);
+    const bool all = full == 0 && hn::GetLane(hn::MaxOfLanes(d, farthest)) < far_squared;
     return all ? size : -1;
   }
   static int drop_from_lists(List* lists, const Index* disks, int count, Index k) {
