@@ -143,8 +143,9 @@ void write_file(const std::string& path, std::string_view text, const std::strin
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
   if (exists && !S_ISREG(old.st_mode)) return write_directly(path, text);
-  std::error_code none;
-  const std::filesystem::path followed = std::filesystem::canonical(path, none);  // through links to the file itself
+  std::error_code fault;
+  const std::filesystem::path followed = std::filesystem::canonical(path, fault);  // through links to the file itself
+  if (exists && fault) throw Error("cannot be written: " + fault.message(), {path});
   Replacement replacement(exists ? followed.string() : path);
   if (!replacement.take_place(text, exists ? &old : nullptr, previous)) fail(path, "cannot be written");
 }

@@ -1,6 +1,6 @@
 // Formulas, set by KaTeX on this page's own fonts.
 import katex from 'katex';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { language } from '../strings';
 
 /** KaTeX writes numbers as they stand; where decimals have a comma, it must not be set like one in a list. */
@@ -48,7 +48,7 @@ export function broken(tex: string): string {
 export function Formula({ tex, display }: { tex: string; display?: boolean }) {
   const place = useRef<HTMLSpanElement>(null);
   const text = localized(tex);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const set = (source: string): void =>
       katex.render(source, place.current!, { displayMode: display, throwOnError: false, output: 'htmlAndMathml', strict: 'ignore' });
     set(text);

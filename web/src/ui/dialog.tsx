@@ -1,7 +1,7 @@
 // A dialog above the page; Escape closes it and gives the focus back.
 import { signal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings';
 
 /** The dialog that is open. */
@@ -16,7 +16,7 @@ interface Props {
 export function Dialog({ name, heading, children }: Props) {
   const element = useRef<HTMLDialogElement>(null);
   const open = dialog.value === name;
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (open && !element.current!.open) element.current!.showModal();
     if (!open && element.current!.open) element.current!.close();
   }, [open]);

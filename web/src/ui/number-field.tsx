@@ -1,5 +1,5 @@
 // A cell for a number: typed with comma or point, stepped with the arrow keys.
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { inFull, language, strings, typed } from '../strings';
 import { announce } from '../lab/model';
 
@@ -26,7 +26,7 @@ function written(value: number): string {
 export function NumberField({ label, value, step, least = -1e6, most = 1e6, marked, disabled, id, change }: Props) {
   const input = useRef<HTMLInputElement>(null);
   const text = written(value);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (input.current && document.activeElement !== input.current) input.current.value = text;
   }, [text]);
   const set = (next: number): void => {
