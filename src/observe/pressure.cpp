@@ -62,8 +62,8 @@ class Pressure final : public Observable {
     const auto windows = static_cast<double>(samples_.result().samples);
     Estimate z = add_estimate(measurement, "Z", "", samples_, time_ / windows, sum_ / time_);
     if (fluid_) {
-      z.theory = kolafa_rottner(fluid_->packing_fraction);
-      z.theory_source = "Kolafa and Rottner 2006, infinite system";
+      z.theory = finite_compressibility(*fluid_);
+      z.theory_source = source_of_compressibility(*fluid_);
     }
     if (two_) {
       z.theory = 1 + two_->excess;

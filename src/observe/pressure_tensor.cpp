@@ -65,8 +65,8 @@ class PressureTensor final : public Observable {
     for (std::size_t c = 0; c < 3; ++c) {
       Estimate& z = add_estimate(all, kNames[c], "", samples_[c], spacing, sums_[c] / time_);
       if (fluid_) {
-        z.theory = c == 1 ? 0 : kolafa_rottner(fluid_->packing_fraction);
-        z.theory_source = c == 1 ? "isotropy" : "Kolafa and Rottner 2006, infinite system";
+        z.theory = c == 1 ? 0 : finite_compressibility(*fluid_);
+        z.theory_source = c == 1 ? "isotropy" : source_of_compressibility(*fluid_);
       }
     }
     Measurement measurement{.name = std::string(name())};

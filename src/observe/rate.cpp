@@ -44,8 +44,8 @@ class Rate final : public Observable {
     Estimate rate =
         add_estimate(measurement, "collision_rate", "1/time", rates_, spacing, 2 * collisions_ / (disks_ * time_));
     if (fluid_) {
-      rate.theory = enskog_rate(*fluid_, kT_) * finite_rate_factor(freedom_);
-      rate.theory_source = "Enskog, g of Kolafa and Rottner 2006, infinite system";
+      rate.theory = finite_rate(*fluid_, kT_, freedom_);
+      rate.theory_source = "Enskog, g of " + std::string(source_of_compressibility(*fluid_));
     }
     if (two_) {
       rate.theory = two_->rate_per * std::sqrt(4 * kT_ / mass_);
@@ -85,7 +85,7 @@ class Rate final : public Observable {
     if (path.error && speed.error) *path.error = std::hypot(speed.mean * *path.error, *speed.error / rate.value);
     path.theory.reset();
     if (fluid_) {
-      const double g = contact_value(fluid_->packing_fraction);
+      const double g = finite_contact_value(*fluid_);
       path.theory = std::sqrt((1 - 1 / disks_) / 8) / (fluid_->number_density * fluid_->diameter * g);
     }
     return path;

@@ -213,13 +213,13 @@ Measurement Rdf::result() const {
     if (!partial.fit) continue;
     Estimate& contact = add_estimate(measurement, "contact_value" + partial.suffix, "", partial.contact, interval_);
     if (fluid_) {
-      contact.theory = contact_value(fluid_->packing_fraction);
-      contact.theory_source = "Kolafa and Rottner 2006, infinite system";
+      contact.theory = (finite_compressibility(*fluid_) - 1) / *excess_per_contact_;
+      contact.theory_source = source_of_compressibility(*fluid_);
     }
     if (!excess_per_contact_) continue;
     Estimate z = scaled(contact, "Z", "", *excess_per_contact_);
     z.value += 1;
-    if (fluid_) z.theory = kolafa_rottner(fluid_->packing_fraction);
+    if (fluid_) z.theory = finite_compressibility(*fluid_);
     measurement.estimates.push_back(std::move(z));
   }
   measurement.tables.push_back(std::move(table));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "carom/state/system.hpp"
 
@@ -28,11 +29,22 @@ std::optional<EqualDisks> gas_of_equal_disks(const System& system);
 /// Compressibility factor Z = βP/ρ of the infinite system (Kolafa and Rottner, Mol. Phys. 104, 3435 (2006)).
 double kolafa_rottner(double packing_fraction);
 
+/// Z of N disks in a periodic box, to the first order in 1/N: that of the infinite system − (η/2N) u″/u′ with u = ηZ
+/// (Lebowitz and Percus, Phys. Rev. 122, 1675 (1961)). Above η = 0.65, where the transition is near and the expansion
+/// fails, that of the infinite system.
+double finite_compressibility(const EqualDisks& gas);
+/// Whose Z that is, for a theory_source.
+std::string_view source_of_compressibility(const EqualDisks& gas);
+
 /// Contact value g of the pair distribution, from Z = 1 + 2 η g.
 double contact_value(double packing_fraction);
+/// The same of N disks in a periodic box, from finite_compressibility.
+double finite_contact_value(const EqualDisks& gas);
 
 /// Collisions per disk and time of the infinite system, Γ = 2 ρ d g √(π kT/m) (Enskog).
 double enskog_rate(const EqualDisks& gas, double kT);
+/// The same of N disks in a periodic box of f degrees of freedom and given energy: with finite_contact_value and C.
+double finite_rate(const EqualDisks& gas, double kT, double degrees_of_freedom);
 
 /// Self-diffusion D = √(kT/(π m))/(2 ρ d g) × 1.02704 (length²/time): Enskog's first Sonine approximation times the
 /// factor to which the expansion converges.
