@@ -162,7 +162,11 @@ function DiskArrows({ disk, number, take }: BodyProps) {
   const by = arrowOf(v);
   const tip = { x: from.x + by.x, y: from.y + by.y };
   const collision = collisionShown.value;
-  const after = collisionIs.value === 'now' && (collision?.i === number || collision?.j === number) ? 'f' : '';
+  const collides = collision?.i === number || collision?.j === number;
+  const after = collisionIs.value === 'now' && collides ? 'f' : '';
+  // Of many disks only the two that collide have room for names.
+  const named = collides || setup.value.disks.length <= mostDisks;
+  const name = (letter: string): [string, string] | undefined => (named ? [letter, `${number + 1}${after}`] : undefined);
   const aim = (event: KeyboardEvent): void => {
     const key = arrowKey(event);
     if (!key) return;
@@ -173,8 +177,8 @@ function DiskArrows({ disk, number, take }: BodyProps) {
   const momentum = { x: by.x * disk.mass, y: by.y * disk.mass };
   return (
     <g>
-      {show.value.has('momentum') && <Arrow kind="momentum" from={from} by={momentum} name={['p', `${number + 1}${after}`]} side={-1} />}
-      {show.value.has('velocity') && <Arrow kind="velocity" from={from} by={by} name={['v', `${number + 1}${after}`]} />}
+      {show.value.has('momentum') && <Arrow kind="momentum" from={from} by={momentum} name={name('p')} side={-1} />}
+      {show.value.has('velocity') && <Arrow kind="velocity" from={from} by={by} name={name('v')} />}
       {show.value.has('velocity') && show.value.has('values') && disk.radius * scale.value > 15 && (
         <text class="value" x={from.x} y={from.y + disk.radius * scale.value + 22} text-anchor="middle" aria-hidden="true">
           {shown(Math.hypot(v.x - observer.value.vx, v.y - observer.value.vy))}

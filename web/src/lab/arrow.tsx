@@ -9,7 +9,7 @@ interface Props {
   /** From its tail to its tip, in the picture's units. */
   by: Vec;
   /** Base letter and index, as in v₁ₙ. */
-  name?: [string, string];
+  name?: [string, string] | undefined;
   /** Which side of the tip the name stands on. */
   side?: 1 | -1;
 }

@@ -49,7 +49,8 @@ export function inLanguage(value: number): string {
 
 /** All digits that a double holds. */
 export function inFull(value: number): string {
-  const text = String(value + 0).replace('-', '−').replace('e−', 'e-').replace('e-', '·10^−').replace('e+', '·10^');
+  const [digits, exponent] = String(value + 0).split('e') as [string, string?];
+  const text = digits.replace('-', '−') + (exponent === undefined ? '' : `·10${raised(Number(exponent))}`);
   return language.value === 'de' ? text.replace('.', ',') : text;
 }
 
