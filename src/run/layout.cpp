@@ -100,7 +100,11 @@ void Layout::load(std::size_t patch, double near, double halo, Loading& loading)
   const Bins rows = bins_within(axis_[1], own.low.y - halo, own.high.y + halo);
   loading.cut = {columns.cut, rows.cut};
   loading.whole = !columns.cut && !rows.cut;
-  const auto edge = [](const Axis& axis, std::int64_t bin) { return axis.low + static_cast<double>(bin) * axis.bin; };
+  const auto edge = [](const Axis& axis, std::int64_t bin) {
+    // Where there is a wall its place to the last bit: what is loaded reaches it or does not.
+    if (!axis.periodic && bin == axis.bins) return axis.low + axis.size;
+    return axis.low + static_cast<double>(bin) * axis.bin;
+  };
   loading.loaded = {{edge(axis_[0], columns.first), edge(axis_[1], rows.first)},
                     {edge(axis_[0], columns.first + columns.count), edge(axis_[1], rows.first + rows.count)}};
   loading.disks.clear();
@@ -168,6 +172,14 @@ bool Layout::touches(std::size_t patch, const Rectangle& path, double margin) co
     if (from > high || to < low) return false;
   }
   return true;
+}
+
+bool Layout::may_come_round(const Rectangle& path) const noexcept {
+  const auto comes_round = [&](int axis) {
+    const double width = along(path.high, axis) - along(path.low, axis);
+    return axis_[axis].periodic && width > (1 - kLargestPart) * axis_[axis].size;
+  };
+  return comes_round(0) || comes_round(1);
 }
 
 }  // namespace carom

@@ -1,6 +1,7 @@
 // How the plane is divided into patches, and which disks each of them is given.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -48,6 +49,11 @@ class Layout {
   [[nodiscard]] double distance(std::size_t patch, Vec2 position) const noexcept;
   /// Whether a path, not folded into the box, touches a patch's territory widened by `margin`.
   [[nodiscard]] bool touches(std::size_t patch, const Rectangle& path, double margin) const noexcept;
+  /// Whether a path is so wide along a periodic axis that a disk near a patch on one side can have come to the other:
+  /// wider than what is not loaded, if not all is.
+  [[nodiscard]] bool may_come_round(const Rectangle& path) const noexcept;
+  /// Of what the bins cover (length).
+  [[nodiscard]] double longer_side() const noexcept { return std::max(axis_[0].size, axis_[1].size); }
 
  private:
   struct Axis {

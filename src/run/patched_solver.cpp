@@ -194,6 +194,7 @@ class PatchedSolver final : public DividedSolver {
       }
       // Patches that need nearly all of the plane would each do the work of one that owns it.
       if (std::count_if(patches.begin(), patches.end(), [&](std::size_t k) { return is_hopeless(k); }) > 1) {
+        learn(repaired);
         return advance_whole_plane(until, interrupt);
       }
     }
@@ -248,7 +249,7 @@ class PatchedSolver final : public DividedSolver {
     return (attempt.near - reach_) / 2 - 1e-9 * attempt.near;
   }
   [[nodiscard]] bool is_hopeless(std::size_t patch) const noexcept {
-    return attempts_[patch].halo > 0.5 * std::max(system_.box.size.x, system_.box.size.y) || attempts_[patch].whole;
+    return attempts_[patch].halo > 0.5 * layout_.longer_side() || attempts_[patch].whole;
   }
 
   // --- copies ------------------------------------------------------------------------------------------------
@@ -308,7 +309,7 @@ class PatchedSolver final : public DividedSolver {
   }
 
   /// Disks that went far: the patch's own must not have left its surroundings, others must not have come near unless
-  /// they were near copies from the start.
+  /// they were near copies from the start, and did not come from the other side than where their copies are.
   [[nodiscard]] bool excursions_stay_clear(std::size_t patch) const {
     const Attempt& attempt = attempts_[patch];
     const double clear = clear_of(attempt);
@@ -324,6 +325,7 @@ class PatchedSolver final : public DividedSolver {
       for (const Excursion& excursion : reports_[other].excursions) {
         if (!layout_.touches(patch, excursion.path, clear + reach_)) continue;
         if (layout_.distance(patch, start_->disks.position(excursion.id)) > attempt.near) return false;
+        if (layout_.may_come_round(excursion.path)) return false;
       }
     }
     return true;

@@ -137,10 +137,15 @@ void Simulation::abandon_window() {
 
 Simulation::Stop Simulation::advance_to(double offset) {
   if (!open_) open_window(offset == state_.clock.length);
-  // The solver asks between events; here it is asked too where many short steps hold none.
-  if (interrupt_->load(std::memory_order_relaxed) || !solver_->advance_to(offset, *interrupt_)) {
-    abandon_window();
-    return Stop::interrupted;
+  try {
+    // The solver asks between events; here it is asked too where many short steps hold none.
+    if (interrupt_->load(std::memory_order_relaxed) || !solver_->advance_to(offset, *interrupt_)) {
+      abandon_window();
+      return Stop::interrupted;
+    }
+  } catch (...) {
+    abandon_window();  // a solver that ran out of memory stands between two events
+    throw;
   }
   offset_ = offset;
   return Stop::reached;

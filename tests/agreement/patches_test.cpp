@@ -157,6 +157,13 @@ TEST(PatchChecks, NobodyMayFlyInFromAfar) {
   expect_needed(bullet, quarters(14, 16), [](Checks& checks) { checks.excursions = false; });
 }
 
+TEST(PatchChecks, NearDisksMayNotComeRoundToTheOtherSide) {
+  // Both start where two patches meet, each near in the other's, fly apart and meet where the patches meet again. A
+  // patch has a copy of the other's disk on the side where it started only.
+  const OneWindow meeting(quiet_plane({disk({990, 126}, {-1, 0}), disk({1010, 126}, {1, 0})}), 990.5);
+  EXPECT_EQ(meeting.divided(quarters(14, 16), {}), meeting.undivided());
+}
+
 TEST(PatchChecks, OwnedDisksMayNotMeetFarCopies) {
   // On its way to the disk at rest in the lower left patch a disk is hit by a heavy one that crosses its way from
   // above. That patch has no copy of the heavy one; its copy of the other goes on and meets the disk at rest.

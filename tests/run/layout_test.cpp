@@ -29,6 +29,19 @@ double distance_to(const Rectangle& owned, Vec2 point, const Box& box) {
   return least;
 }
 
+TEST(Layout, WhatIsLoadedReachesAWallToTheLastBit) {
+  for (std::size_t disks = 400; disks < 4000; disks += 50) {
+    const carom::Setup setup = realize(test::gas(disks, 0.3, Boundary::reflecting));
+    Layout layout(setup.system, 3, 3);
+    layout.sort(setup.frame);
+    Loading loading;
+    layout.load(0, kNear, kNear, loading);
+    EXPECT_EQ(loading.loaded.low, (Vec2{0, 0}));
+    layout.load(8, kNear, kNear, loading);
+    EXPECT_EQ(loading.loaded.high, setup.system.box.size) << disks << " disks";
+  }
+}
+
 class OfBoundary : public testing::TestWithParam<Boundary> {};
 
 TEST_P(OfBoundary, DisksHaveOneOwnerAndAreGivenToThoseNear) {

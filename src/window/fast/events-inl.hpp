@@ -54,6 +54,7 @@ class Events {
         work_.note_overlaps_of(k);
       }
     }
+    if (work_.system.box.has_walls()) work_.note_overlaps_with_walls();
   }
 
   /// Why processing stopped.

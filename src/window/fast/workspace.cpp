@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "carom/base/simd.hpp"
 #include "loops.hpp"
@@ -72,11 +73,11 @@ void Workspace::open(const State& start, Books& to, std::vector<Collision>* rows
   begin_window(start, to, rows);
   if (start.disks.size() == 0) return;
   const bool worn = renewals_ > 16 * records.size();  // neighbours in space are neighbours in memory no more
-  if (!closed_ || worn || !continues(start) || rounding_slack(extent(0)) > slack_) {
+  const bool closed = std::exchange(closed_, false);  // at once: what follows may run out of memory
+  if (!closed || worn || !continues(start) || rounding_slack(extent(0)) > slack_) {
     load(start, in_spatial_order(start.disks, extent_of(start.disks)));
     find_neighbours();
   }
-  closed_ = false;
   load_sums(to);
 }
 
@@ -388,6 +389,7 @@ void Workspace::note_overlaps_of(Index k) {
   const Record& own = records[k];
   const Vec2 size = system.box.size;
   for_neighbours(k, [&](const Neighbour& neighbour) {
+    if (is_left_alone(neighbour.disk, length)) return;  // it was not moved to the end
     const Record& other = records[neighbour.disk];
     const bool first = ids[k] < ids[neighbour.disk];
     const Record& i = first ? own : other;
@@ -397,10 +399,15 @@ void Workspace::note_overlaps_of(Index k) {
     const double sigma = i.radius + j.radius;
     if (dot(r, r) < sigma * sigma) note_overlap((sigma - carom::length(r)) / sigma);
   });
-  if (!may_meet_wall(k)) return;
+}
+
+void Workspace::note_overlaps_with_walls() {
   for (const Wall wall : {Wall::left, Wall::right, Wall::bottom, Wall::top}) {
     if (!system.box.reflecting(axis_of(wall))) continue;
-    note_overlap(overlap_with_wall({own.x, own.y}, own.radius, wall, size));
+    for (Index k = 0; k < static_cast<Index>(records.size()); ++k) {
+      const Record& own = records[k];
+      if (counts(k)) note_overlap(overlap_with_wall({own.x, own.y}, own.radius, wall, system.box.size));
+    }
   }
 }
 

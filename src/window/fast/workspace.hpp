@@ -125,8 +125,10 @@ class Workspace {
   double restitution_at(double time, double last, double restitution, bool counted) noexcept;
   /// Returns how many periods were taken off the disk's position.
   Image collide_with_wall(Index k, double time);
-  /// No pair may overlap at a window's end and no disk reach past a wall: a missed collision would show here.
+  /// No pair may overlap at a window's end and no disk reach past a wall, wherever it is thought to be: a missed
+  /// collision would show here.
   void note_overlaps_of(Index k);
+  void note_overlaps_with_walls();
   void note_overlap(double overlap) noexcept { books->largest_overlap = std::max(books->largest_overlap, overlap); }
   [[nodiscard]] double mass(Index k) const noexcept { return system.mass(ids[k]); }
   /// Whether what happens to a pair with disk k's smaller id, or to disk k at a wall, is counted here: by its owner.
