@@ -31,7 +31,7 @@ bool Cells::fit(const System& system, const Extent& extent, double slack) {
     if (box.boundary[axis] == Boundary::open && !extent.cut[axis]) return false;
     if (size_along(box, extent, axis) < kFewestCells * least) return false;
   }
-  return system.size() < static_cast<std::size_t>(Slot::kMostDisks);
+  return true;
 }
 
 Cells::Cells(const System& system, const Extent& extent, double width, double slack, const Array<Record>& records,

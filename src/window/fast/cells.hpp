@@ -68,7 +68,7 @@ class Cells {
  public:
   static constexpr int kSlots = 5;
 
-  /// Whether a grid like this can serve the system.
+  /// Whether a grid like this can serve the system, or fewer than Slot::kMostDisks of its disks.
   static bool fit(const System& system, const Extent& extent, double slack);
 
   /// Cells of at least `width`, over `extent` where it is cut and over the box else.
