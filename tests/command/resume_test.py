@@ -59,6 +59,14 @@ class Resume(ResumeTest):
         first = self.begin()
         self.assertEqual(self.json_of("resume", "o")["digest"], first["digest"])
 
+    def test_a_run_without_further_collisions_stays_at_its_end(self):
+        self.write("open.toml", TWO_DISKS.replace("reflecting", "open"))
+        first = self.json_of("run", "open.toml", "--collisions", 10**6, "--out", "o")
+        self.assertEqual(first["ended"], "exhausted")
+        again = self.json_of("resume", "o")
+        for key in ("ended", "time", "windows", "digest"):
+            self.assertEqual(again[key], first[key], key)
+
     def test_a_checkpoint_by_name(self):
         whole = self.begin("whole", 4)
         self.begin()
