@@ -34,7 +34,7 @@ struct ResumeOptions {
 void check_options(const ResumeOptions& options) {
   require_hdf5("checkpoints need");
   require_time("--until", options.until, true);
-  if (options.collisions && *options.collisions == 0) throw Error("--collisions 0: it must be greater than 0");
+  require_collisions(options.collisions);
   check_saving(options.saving, true);
 }
 

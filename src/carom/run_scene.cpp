@@ -34,6 +34,9 @@ const RunPlan& checked(const RunPlan& plan) {
   if (settings.until && !(*settings.until <= kLatestTime)) {
     throw Error(fmt::format("until is {}: no run goes beyond time {}", *settings.until, kLatestTime));
   }
+  if (settings.collisions && *settings.collisions > kMostCollisions) {
+    throw Error(fmt::format("collisions is {}: no run is told to go beyond {}", *settings.collisions, kMostCollisions));
+  }
   return plan;
 }
 

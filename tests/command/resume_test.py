@@ -112,6 +112,7 @@ class Resume(ResumeTest):
                                   (["gas.toml"], 1, "not a checkpoint"), (["text.h5"], 1, "format 2"),
                                   (["bad"], 1, "damaged"), (["o", "--until", 0.001], 1, "the checkpoint is at"),
                                   (["o", "--until", "x"], 2, "--until"), (["o", "--collisions", 0], 1, "--collisions"),
+                                  (["o", "--collisions", 2**63], 1, f"--collisions {2**63}: it must not"),
                                   (["o", "--checkpoint-minutes", 0], 1, "--checkpoint-minutes"),
                                   (["o", "--max-minutes", -1], 1, "--max-minutes"),
                                   (["o", "--log-collisions", "l.csv"], 2, "no log")):
@@ -125,6 +126,13 @@ class Resume(ResumeTest):
 
 
 class Limits(ResumeTest):
+    def test_collisions(self):
+        for words in (["run", "gas.toml"], ["sweep", "gas.toml", "--vary", "gas.seed=1,2"]):
+            self.refuse([*words, "--collisions", 2**63, "--out", "o"], 1, f"--collisions {2**63}: it must not")
+        self.assertFalse(self.path("o").exists())
+        self.succeed("run", "gas.toml", "--collisions", 2**63 - 1, "--out", "o", "--max-minutes", 0.0001)
+        self.succeed("resume", "o", "--max-minutes", 0.0001)
+
     def test_minutes(self):
         done = self.succeed("run", "gas.toml", "--until", 1e9, "--out", "o", "--max-minutes", 0.005, "--json")
         report = json.loads(done.stdout)
