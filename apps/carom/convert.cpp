@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "carom/carom.hpp"
@@ -29,7 +30,8 @@ std::string ending_of(const std::string& path) { return fs::path(path).extension
 class Frames {
  public:
   explicit Frames(const std::string& path) : path_(path) {
-    const bool regular = path != "-" && fs::is_regular_file(path);
+    std::error_code unknown;
+    const bool regular = path != "-" && fs::is_regular_file(path, unknown);
     const std::string ending = ending_of(path);
     const bool trajectory = regular && (is_hdf5_file(path) || ending == ".xyz" || ending == ".extxyz");
     if (ending == ".csv") throw Error("a table of frames does not tell the box: nothing is converted from it", {path});

@@ -47,7 +47,9 @@ struct Source {
 Source find(const std::string& from) {
   std::error_code error;
   const bool is_directory = fs::is_directory(from, error);
-  if (!is_directory && !fs::exists(from, error)) throw Error("there is no such file or directory", {from});
+  if (!is_directory && !fs::exists(from, error)) {
+    throw Error(error ? "cannot be read: " + error.message() : "there is no such file or directory", {from});
+  }
   Source source;
   source.directory = is_directory ? from : fs::path(from).parent_path().string();
   if (source.directory.empty()) source.directory = ".";

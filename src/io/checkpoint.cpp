@@ -63,7 +63,8 @@ Envelope read_envelope(std::string_view bytes, const std::string& name) {
 bool is_checkpoint(std::string_view bytes) noexcept { return bytes.starts_with(kCheckpointMark); }
 
 bool is_checkpoint_file(const std::string& path) {
-  if (path == "-" || !std::filesystem::is_regular_file(path)) return false;
+  std::error_code unknown;
+  if (path == "-" || !std::filesystem::is_regular_file(path, unknown)) return false;
   std::ifstream file(path, std::ios::binary);
   std::string head(kCheckpointMark.size(), '\0');
   return file.read(head.data(), static_cast<std::streamsize>(head.size())) && is_checkpoint(head);
