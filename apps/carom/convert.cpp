@@ -154,6 +154,14 @@ void write_toml(Frames& frames, const ConvertOptions& options) {
   write_file(options.out, to_toml({explicit_scene(setup, frames.title()), frames.run()}));
 }
 
+/// What observables know before anything has happened.
+void add_start(Checkpoint& checkpoint, const Setup& setup) {
+  if (checkpoint.settings.observe.empty()) return;
+  ObservableSet observables(checkpoint.settings.observe, {setup.system, setup.frame});
+  observables.exchange({checkpoint.sums, SumsExchange::Direction::save});
+  checkpoint.start = setup.frame;
+}
+
 /// A run that stands at time 0 and has not begun.
 void write_start(Frames& frames, const ConvertOptions& options) {
   Setup setup = frames.pick(options.time);
@@ -162,6 +170,7 @@ void write_start(Frames& frames, const ConvertOptions& options) {
   checkpoint.scene_digest = digest(setup.system, setup.frame);
   checkpoint.settings = frames.run();
   checkpoint.title = frames.title();
+  add_start(checkpoint, setup);
   Simulation simulation(std::move(setup));
   simulation.measure_from(checkpoint.settings.equilibrate);
   checkpoint.snapshot = simulation.snapshot();

@@ -223,6 +223,16 @@ class Convert(ResumeTest):
         self.succeed("convert", "scene.toml", "start/checkpoint.h5")
         self.assertEqual(self.json_of("resume", "start")["digest"], self.json_of("run", "scene.toml")["digest"])
 
+    def test_the_start_of_a_run_that_observes(self):
+        self.write("scene.toml", TWO_DISKS + "[run]\nuntil = 50.0\n" +
+                   "".join(f'[[observe]]\nname = "{name}"\n' for name in ("msd", "speeds", "pressure")))
+        self.path("start").mkdir()
+        self.succeed("convert", "scene.toml", "start/checkpoint.h5")
+        whole = self.json_of("run", "scene.toml")
+        again = self.json_of("resume", "start")
+        for key in ("digest", "observables"):
+            self.assertEqual(again[key], whole[key], key)
+
     def test_one_frame_of_many(self):
         self.begin("o", 2, "--every", 0.5, "--trajectory", "h5md")
         self.succeed("convert", "o/trajectory.h5md", "one.xyz", "--time", 1.2)
