@@ -101,11 +101,18 @@ class SceneRun {
                     settings.until);
   }
 
+  /// All that may be refused is opened before anything is replaced or cut.
   void go_on_with_files(const WrittenFiles& files) {
+    open_files_again(files);
     if (plan_.directory) {
       if (plan_.goes_on_from) plan_.directory->make_newest(*plan_.goes_on_from);
       plan_.directory->remove_unfinished_files();
     }
+    if (log_) log_->cut();
+    if (frames_) frames_->cut_to({files.frames, files.trajectory_bytes});
+  }
+
+  void open_files_again(const WrittenFiles& files) {
     if (plan_.collisions_file) log_ = std::make_unique<CollisionLog>(*plan_.collisions_file, files.log_bytes);
     const RunSettings& settings = plan_.settings;
     if (!writes_frames()) return;

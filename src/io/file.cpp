@@ -162,7 +162,7 @@ OutputStream::OutputStream(std::string path) : path_(std::move(path)) {
   if (descriptor_ < 0) fail(path_, "cannot be written");
 }
 
-OutputStream::OutputStream(std::string path, std::uint64_t kept) : path_(std::move(path)), size_(kept) {
+OutputStream::OutputStream(std::string path, std::uint64_t kept) : path_(std::move(path)) {
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor_ < 0) fail(path_, "cannot be written");
   try {
@@ -173,7 +173,8 @@ OutputStream::OutputStream(std::string path, std::uint64_t kept) : path_(std::mo
                       std::to_string(kept) + " should stay",
                   {path_});
     }
-    cut_to(kept);
+    size_ = static_cast<std::uint64_t>(about.st_size);
+    if (::lseek(descriptor_, 0, SEEK_END) < 0) fail(path_, "cannot be written");
   } catch (...) {
     ::close(descriptor_);
     throw;

@@ -87,6 +87,23 @@ class Resume(ResumeTest):
         self.write("log.csv", self.read("log.csv")[:100])
         self.refuse(["resume", "o", "--log-collisions", "log.csv"], 1, "log.csv", "shorter")
 
+    def test_what_is_refused_leaves_the_newest_checkpoint(self):
+        for broken, form in (("log.csv", "xyz"), ("o/trajectory.xyz", "xyz"), ("o/trajectory.h5md", "h5md")):
+            self.begin("o", 2.3, "--every", 0.1, "--trajectory", form, "--log-collisions", "log.csv", "--overwrite")
+            log = self.path("log.csv").read_bytes()
+            shutil.copy(self.path("o/checkpoint-1.h5"), self.path("o/old.h5"))
+            self.path(broken).unlink()
+            if form == "h5md" or broken == "log.csv":
+                self.write(broken, "no longer what it was")
+            before = {path.name: path.read_bytes() for path in self.path("o").iterdir()}
+            self.refuse(["resume", "o/old.h5", "--until", 4, "--log-collisions", "log.csv"], 1, broken)
+            after = {path.name: path.read_bytes() for path in self.path("o").iterdir()}
+            self.assertEqual(after.keys(), before.keys())
+            for name in before:
+                self.assertEqual(after[name], before[name], name)
+            if broken != "log.csv":
+                self.assertEqual(self.path("log.csv").read_bytes(), log)
+
     def test_a_damaged_checkpoint_gives_way_to_the_one_before(self):
         whole = self.begin("whole", 4)
         self.begin()
