@@ -94,6 +94,14 @@ void prove_writable(const std::string& directory, const std::string& trial) {
   fs::remove(trial, ignored);
 }
 
+void refuse_old_run(const std::string& directory) {
+  std::vector<fs::path> old = files_of_a_run(directory);
+  std::erase_if(old, [](const fs::path& file) { return file.filename() == kTrial || is_unfinished(file.filename()); });
+  if (old.empty()) return;
+  throw Error("holds a run already (" + old.front().filename().string() + "): choose another or overwrite it",
+              {directory});
+}
+
 void remove_file(const fs::path& file) {
   std::error_code error;
   fs::remove(file, error);
@@ -104,28 +112,17 @@ void remove_file(const fs::path& file) {
 
 OutputDirectory::OutputDirectory(std::string path, bool overwrite) : path_(std::move(path)) {
   create(path_);
-  if (!overwrite) {
-    std::vector<fs::path> old = files_of_a_run(path_);
-    std::erase_if(old,
-                  [](const fs::path& file) { return file.filename() == kTrial || is_unfinished(file.filename()); });
-    if (!old.empty()) {
-      throw Error("holds a run already (" + old.front().filename().string() + "): choose another or overwrite it",
-                  {path_});
-    }
-  }
-  lock_and_prove_writable();
+  lock_ = std::make_shared<const DirectoryLock>(path_);
+  if (!overwrite) refuse_old_run(path_);  // under the lock: another may have come and gone until then
+  prove_writable(path_, in(kTrial));
 }
 
 OutputDirectory OutputDirectory::of_run(std::string path) {
   OutputDirectory directory;
   directory.path_ = std::move(path);
-  directory.lock_and_prove_writable();
+  directory.lock_ = std::make_shared<const DirectoryLock>(directory.path_);
+  prove_writable(directory.path_, directory.in(kTrial));
   return directory;
-}
-
-void OutputDirectory::lock_and_prove_writable() {
-  lock_ = std::make_shared<const DirectoryLock>(path_);
-  prove_writable(path_, in(kTrial));
 }
 
 void OutputDirectory::remove_old_run() const {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "carom/io/directory_lock.hpp"
 #include "carom/io/file.hpp"
 #include "scratch.hpp"
 
@@ -77,6 +78,15 @@ TEST(OutputDirectory, WhatAKilledRunLeavesHalfWrittenIsNoRunAndGoes) {
     directory.remove_old_run();
     EXPECT_EQ(std::filesystem::exists(scratch / "observables"), !indexed);
   }
+}
+
+/// What another run leaves while this one waits is seen: nothing is decided before the directory is locked.
+TEST(OutputDirectory, LooksForARunUnderItsLock) {
+  const Scratch scratch;
+  write_file(scratch / "report.json", "old");
+  const DirectoryLock lock(scratch.path());
+  EXPECT_EQ(message_of([&] { OutputDirectory directory(scratch.path()); }),
+            scratch.path() + ": another carom is at work here");
 }
 
 TEST(OutputDirectory, RefusesAFileInItsPlace) {
