@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "carom/carom.hpp"
@@ -29,7 +30,8 @@ std::string ending_of(const std::string& path) { return fs::path(path).extension
 class Frames {
  public:
   explicit Frames(const std::string& path) : path_(path) {
-    const bool regular = path != "-" && fs::is_regular_file(path);
+    std::error_code unknown;
+    const bool regular = path != "-" && fs::is_regular_file(path, unknown);
     const std::string ending = ending_of(path);
     const bool trajectory = regular && (is_hdf5_file(path) || ending == ".xyz" || ending == ".extxyz");
     if (ending == ".csv") throw Error("a table of frames does not tell the box: nothing is converted from it", {path});
@@ -152,6 +154,14 @@ void write_toml(Frames& frames, const ConvertOptions& options) {
   write_file(options.out, to_toml({explicit_scene(setup, frames.title()), frames.run()}));
 }
 
+/// What observables know before anything has happened.
+void add_start(Checkpoint& checkpoint, const Setup& setup) {
+  if (checkpoint.settings.observe.empty()) return;
+  ObservableSet observables(checkpoint.settings.observe, {setup.system, setup.frame});
+  observables.exchange({checkpoint.sums, SumsExchange::Direction::save});
+  checkpoint.start = setup.frame;
+}
+
 /// A run that stands at time 0 and has not begun.
 void write_start(Frames& frames, const ConvertOptions& options) {
   Setup setup = frames.pick(options.time);
@@ -160,6 +170,7 @@ void write_start(Frames& frames, const ConvertOptions& options) {
   checkpoint.scene_digest = digest(setup.system, setup.frame);
   checkpoint.settings = frames.run();
   checkpoint.title = frames.title();
+  add_start(checkpoint, setup);
   Simulation simulation(std::move(setup));
   simulation.measure_from(checkpoint.settings.equilibrate);
   checkpoint.snapshot = simulation.snapshot();

@@ -34,7 +34,7 @@ struct ResumeOptions {
 void check_options(const ResumeOptions& options) {
   require_hdf5("checkpoints need");
   require_time("--until", options.until, true);
-  if (options.collisions && *options.collisions == 0) throw Error("--collisions 0: it must be greater than 0");
+  require_collisions(options.collisions);
   check_saving(options.saving, true);
 }
 
@@ -47,7 +47,9 @@ struct Source {
 Source find(const std::string& from) {
   std::error_code error;
   const bool is_directory = fs::is_directory(from, error);
-  if (!is_directory && !fs::exists(from, error)) throw Error("there is no such file or directory", {from});
+  if (!is_directory && !fs::exists(from, error)) {
+    throw Error(error ? "cannot be read: " + error.message() : "there is no such file or directory", {from});
+  }
   Source source;
   source.directory = is_directory ? from : fs::path(from).parent_path().string();
   if (source.directory.empty()) source.directory = ".";

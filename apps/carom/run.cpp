@@ -44,7 +44,7 @@ void check_options(const RunOptions& options) {
   require_time("--until", options.until, true);
   require_time("--every", options.every, false);
   require_time("--equilibrate", options.equilibrate, true);
-  if (options.collisions && *options.collisions == 0) throw Error("--collisions 0: it must be greater than 0");
+  require_collisions(options.collisions);
   std::error_code not_there;
   if (options.log_collisions == "-") throw UsageError("--log-collisions needs the name of a file");
   if (!options.log_collisions.empty() &&

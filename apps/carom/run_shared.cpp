@@ -31,6 +31,13 @@ void require_time(const char* option, const std::optional<double>& value, bool z
                             zero_allowed ? "0 or more" : "greater than 0"));
 }
 
+void require_collisions(const std::optional<std::uint64_t>& value) {
+  if (value == 0) throw Error("--collisions 0: it must be greater than 0");
+  if (value > kMostCollisions) {
+    throw Error(fmt::format("--collisions {}: it must not be greater than {}", *value, kMostCollisions));
+  }
+}
+
 void require_hdf5(const char* needs_it) {
   if (!has_checkpoints()) throw Error(fmt::format("this carom was built without HDF5, which {}", needs_it));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,9 @@ void require_hdf5(const char* needs_it);
 
 /// Throws Error unless the value, if there is one, is finite and greater than 0 (or 0 where that is allowed).
 void require_time(const char* option, const std::optional<double>& value, bool zero_allowed);
+
+/// Throws Error unless the number of collisions, if there is one, is one that a run can be told to end at.
+void require_collisions(const std::optional<std::uint64_t>& value);
 
 void apply(const SavingOptions& options, RunPlan& plan);
 

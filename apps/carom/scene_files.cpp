@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 
 #include "carom/carom.hpp"
 #include "command.hpp"
@@ -68,7 +69,8 @@ Info trajectory_info(const std::string& path) {
 
 Info read_info(const std::string& path) {
   const std::filesystem::path name(path);
-  const bool regular = path != "-" && std::filesystem::is_regular_file(name);
+  std::error_code unknown;
+  const bool regular = path != "-" && std::filesystem::is_regular_file(name, unknown);
   if (is_checkpoint_file(path)) return checkpoint_info(path);
   const bool xyz = name.extension() == ".xyz" || name.extension() == ".extxyz";
   if (regular && (xyz || is_hdf5_file(path))) return trajectory_info(path);

@@ -64,6 +64,7 @@ void check_options(const SweepOptions& options) {
     throw UsageError(fmt::format("--until {}: it must be a time greater than 0", *options.until));
   }
   if (options.collisions && *options.collisions == 0) throw UsageError("--collisions 0: it must be greater than 0");
+  require_collisions(options.collisions);
   if (options.equilibrate && !(*options.equilibrate >= 0)) {
     throw UsageError(fmt::format("--equilibrate {}: it must be a time, 0 or more", *options.equilibrate));
   }

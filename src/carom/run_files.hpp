@@ -18,6 +18,8 @@ class CollisionLog final : public Observer {
  public:
   explicit CollisionLog(const std::string& path) : csv_(path), kept_(csv_.size()) {}
   CollisionLog(const std::string& path, std::uint64_t kept) : csv_(path, kept), kept_(kept) {}
+  /// Removes what is beyond `kept`.
+  void cut() { csv_.cut_to(kept_); }
 
   void on_window(const WindowRecord& window) override;
   void finish(const Simulation& simulation);
@@ -35,6 +37,11 @@ class FrameSchedule {
  public:
   FrameSchedule(std::unique_ptr<TrajectoryWriter> writer, double every, std::optional<double> until)
       : writer_(std::move(writer)), every_(every), until_(until), kept_(writer_->length()) {}
+  /// Removes what is beyond `kept`.
+  void cut_to(const TrajectoryLength& kept) {
+    writer_->cut_to(kept);
+    kept_ = kept;
+  }
 
   /// A frame that is due at the end but for rounding is due at the end.
   [[nodiscard]] double next_time() const noexcept;

@@ -34,6 +34,9 @@ const RunPlan& checked(const RunPlan& plan) {
   if (settings.until && !(*settings.until <= kLatestTime)) {
     throw Error(fmt::format("until is {}: no run goes beyond time {}", *settings.until, kLatestTime));
   }
+  if (settings.collisions && *settings.collisions > kMostCollisions) {
+    throw Error(fmt::format("collisions is {}: no run is told to go beyond {}", *settings.collisions, kMostCollisions));
+  }
   return plan;
 }
 
@@ -63,6 +66,7 @@ class SceneRun {
     }
     go_on_with_files(checkpoint.files);
     prepare();
+    judge_window_start();
   }
 
   RunEnd run() {
@@ -97,11 +101,18 @@ class SceneRun {
                     settings.until);
   }
 
+  /// All that may be refused is opened before anything is replaced or cut.
   void go_on_with_files(const WrittenFiles& files) {
+    open_files_again(files);
     if (plan_.directory) {
       if (plan_.goes_on_from) plan_.directory->make_newest(*plan_.goes_on_from);
       plan_.directory->remove_unfinished_files();
     }
+    if (log_) log_->cut();
+    if (frames_) frames_->cut_to({files.frames, files.trajectory_bytes});
+  }
+
+  void open_files_again(const WrittenFiles& files) {
     if (plan_.collisions_file) log_ = std::make_unique<CollisionLog>(*plan_.collisions_file, files.log_bytes);
     const RunSettings& settings = plan_.settings;
     if (!writes_frames()) return;
@@ -163,16 +174,22 @@ class SceneRun {
     end_.interrupted = simulation_.run_window() == Simulation::Stop::interrupted;
     if (end_.interrupted) return;
     if (frames_) frames_->keep();
-    look_for_collisions();
-    untrusted_ = !violations_at_window_start(simulation_).empty();
+    count_quiet_windows();
+    judge_window_start();
     if (keeper_ && keeper_->due(simulation_.time())) save_checkpoint();
   }
 
-  /// Whether any are left is a costly question, asked ever more rarely.
-  void look_for_collisions() {
+  void count_quiet_windows() {
     const bool quiet = simulation_.books().collisions == collisions_before_;
     collisions_before_ = simulation_.books().collisions;
     quiet_windows_ = quiet ? quiet_windows_ + 1 : 0;
+  }
+
+  /// Whether the run ends here, whatever end it was given. A resumed run asks where it begins: the run that has
+  /// written the checkpoint may have ended there. Whether any collisions are left is a costly question, asked ever
+  /// more rarely.
+  void judge_window_start() {
+    untrusted_ = !violations_at_window_start(simulation_).empty();
     if (plan_.settings.until || !std::has_single_bit(quiet_windows_)) return;
     end_.exhausted = collisions_are_over(simulation_.system(), simulation_.window_start().disks);
   }

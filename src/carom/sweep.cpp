@@ -51,6 +51,7 @@ class Sweep {
     if (!interrupted()) {
       make_directory();
       const DirectoryLock lock(plan_.directory);
+      refuse_other_sweep(settings);  // again: another may have come and gone until then
       write_file(in("sweep.json"), settings);
       run_jobs();
       write_tables();

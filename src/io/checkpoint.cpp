@@ -13,6 +13,7 @@
 #include "carom/base/error.hpp"
 #include "carom/io/file.hpp"
 #include "checkpoint_schema.hpp"
+#include "hdf5/trial.hpp"
 #include "numbers.hpp"
 #include "words.hpp"
 
@@ -58,12 +59,21 @@ Envelope read_envelope(std::string_view bytes, const std::string& name) {
   return {*version, *length, std::string(*digest)};
 }
 
+/// The bytes of a file, or nothing if it is not there.
+std::optional<std::string> bytes_of(const std::string& path) {
+  std::error_code error;
+  const bool there = std::filesystem::exists(path, error);
+  if (error) throw Error("cannot be read: " + error.message(), {path});
+  return there ? std::optional(read_file(path)) : std::nullopt;
+}
+
 }  // namespace
 
 bool is_checkpoint(std::string_view bytes) noexcept { return bytes.starts_with(kCheckpointMark); }
 
 bool is_checkpoint_file(const std::string& path) {
-  if (path == "-" || !std::filesystem::is_regular_file(path)) return false;
+  std::error_code unknown;
+  if (path == "-" || !std::filesystem::is_regular_file(path, unknown)) return false;
   std::ifstream file(path, std::ios::binary);
   std::string head(kCheckpointMark.size(), '\0');
   return file.read(head.data(), static_cast<std::streamsize>(head.size())) && is_checkpoint(head);
@@ -100,10 +110,12 @@ Checkpoint read_checkpoint(const std::string& path) { return parse_checkpoint(re
 std::optional<NewestCheckpoint> read_newest_checkpoint(const std::vector<std::string>& paths) {
   std::vector<Problem> problems;
   for (const std::string& path : paths) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) continue;
+    const std::optional<std::string> bytes = bytes_of(path);
+    if (!bytes) continue;
     try {
-      return NewestCheckpoint{read_checkpoint(path), path, problems};
+      return NewestCheckpoint{parse_checkpoint(*bytes, path), path, problems};
+    } catch (const io::NotTried&) {
+      throw;
     } catch (const Error& failure) {
       problems.insert(problems.end(), failure.problems().begin(), failure.problems().end());
     }

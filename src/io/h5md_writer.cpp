@@ -136,7 +136,6 @@ class H5mdWriter final : public TrajectoryWriter {
       columns_.emplace(open_columns(Group(file_, path_), system.size()));
       require_frames(kept.frames);
       begin_growing();
-      cut_to(kept);
     });
   }
 

@@ -16,28 +16,41 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTrial = ".carom-trial";
 
-/// Files are written under such a name first.
-bool is_unfinished(const std::string& name) { return name.find(".new-") != std::string::npos; }
+/// The name that a file is to get which is written under another first: that name, ".new-" and numbers.
+std::string finished_name(const std::string& name) {
+  const std::size_t mark = name.rfind(".new-");
+  if (mark == std::string::npos) return name;
+  const bool numbers = name.find_first_not_of("0123456789-", mark + std::string(".new-").size()) == std::string::npos;
+  return numbers ? name.substr(0, mark) : name;
+}
+
+bool is_unfinished(const std::string& name) { return finished_name(name) != name; }
 
 bool belongs_to_a_run(const std::string& name) {
-  const std::string finished = name.substr(0, name.find(".new-"));
+  const std::string finished = finished_name(name);
   for (const char* const known : {"report.json", "scene.toml", "final.xyz", "collisions.csv", "checkpoint.h5",
                                   "checkpoint-1.h5", "trajectory.xyz", "trajectory.h5md", kTrial}) {
     if (finished == known) return true;
   }
-  return name.starts_with("trajectory.");
+  return false;
 }
 
 /// What a run left in the directory of its observables, and then that directory, so that it can be removed empty.
+/// Without an index only what is half-written was surely a run's.
 std::vector<fs::path> tables_of_a_run(const std::string& directory) {
   const fs::path observables = fs::path(directory) / "observables";
   std::error_code error;
   std::vector<fs::path> files;
-  if (!fs::is_regular_file(observables / "index.json", error)) return files;
-  bool others = false;
+  if (!fs::is_directory(observables, error)) return files;
+  const bool complete = fs::is_regular_file(observables / "index.json", error);
+  bool others = !complete;
+  error.clear();
   for (fs::directory_iterator entry(observables, error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
-    const bool ours = entry->path().extension() == ".csv" || entry->path().filename() == "index.json";
+    const std::string name = entry->path().filename().string();
+    const fs::path finished = finished_name(name);
+    const bool table = finished.extension() == ".csv" || finished == "index.json";
+    const bool ours = table && (complete || is_unfinished(name));
     if (ours) files.push_back(entry->path());
     others = others || !ours;
   }
@@ -81,6 +94,14 @@ void prove_writable(const std::string& directory, const std::string& trial) {
   fs::remove(trial, ignored);
 }
 
+void refuse_old_run(const std::string& directory) {
+  std::vector<fs::path> old = files_of_a_run(directory);
+  std::erase_if(old, [](const fs::path& file) { return file.filename() == kTrial || is_unfinished(file.filename()); });
+  if (old.empty()) return;
+  throw Error("holds a run already (" + old.front().filename().string() + "): choose another or overwrite it",
+              {directory});
+}
+
 void remove_file(const fs::path& file) {
   std::error_code error;
   fs::remove(file, error);
@@ -91,27 +112,17 @@ void remove_file(const fs::path& file) {
 
 OutputDirectory::OutputDirectory(std::string path, bool overwrite) : path_(std::move(path)) {
   create(path_);
-  if (!overwrite) {
-    std::vector<fs::path> old = files_of_a_run(path_);
-    std::erase_if(old, [](const fs::path& file) { return is_unfinished(file.filename().string()); });
-    if (!old.empty()) {
-      throw Error("holds a run already (" + old.front().filename().string() + "): choose another or overwrite it",
-                  {path_});
-    }
-  }
-  lock_and_prove_writable();
+  lock_ = std::make_shared<const DirectoryLock>(path_);
+  if (!overwrite) refuse_old_run(path_);  // under the lock: another may have come and gone until then
+  prove_writable(path_, in(kTrial));
 }
 
 OutputDirectory OutputDirectory::of_run(std::string path) {
   OutputDirectory directory;
   directory.path_ = std::move(path);
-  directory.lock_and_prove_writable();
+  directory.lock_ = std::make_shared<const DirectoryLock>(directory.path_);
+  prove_writable(directory.path_, directory.in(kTrial));
   return directory;
-}
-
-void OutputDirectory::lock_and_prove_writable() {
-  lock_ = std::make_shared<const DirectoryLock>(path_);
-  prove_writable(path_, in(kTrial));
 }
 
 void OutputDirectory::remove_old_run() const {

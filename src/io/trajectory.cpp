@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 #include "carom/base/error.hpp"
@@ -73,7 +74,8 @@ std::unique_ptr<TrajectoryReader> open_trajectory(const std::string& path) {
 }
 
 bool is_hdf5_file(const std::string& path) {
-  if (path == "-" || !std::filesystem::is_regular_file(path)) return false;
+  std::error_code unknown;
+  if (path == "-" || !std::filesystem::is_regular_file(path, unknown)) return false;
   std::ifstream file(path, std::ios::binary);
   std::string start(4, '\0');
   return file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == "\x89HDF";

@@ -8,7 +8,7 @@ import resource
 import subprocess
 import tempfile
 
-from program import CAROM, SCENES, TWO_DISKS, ProgramTest, main
+from program import CAROM, HAS_HDF5, SCENES, TWO_DISKS, ProgramTest, main
 
 BOX = '[box]\nsize = [10.0, 10.0]\nboundary = "reflecting"\n'
 COMMANDS = (["run", "--until", "1"], ["check"], ["info"], ["convert", "OUT.toml"], ["draw", "-o", "OUT.svg"])
@@ -393,6 +393,18 @@ class Writing(BadInputTest):
         self.directory.chmod(0o555)
         done = self.carom("run", "scene.toml", "--until", "1", preexec_fn=become_nobody)
         self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class Paths(ProgramTest):
+    def test_that_lead_nowhere(self):
+        self.path("circle").symlink_to("circle")
+        for path, reason in (("x" * 300, "File name too long"), ("circle", "Too many levels of symbolic links")):
+            for words in (["info"], ["check"], ["run", "--until", 1], ["convert"], ["resume"], ["analyze"]):
+                if words == ["resume"] and not HAS_HDF5:
+                    continue
+                more = ["a.xyz"] if words == ["convert"] else []
+                with self.subTest(words=words, path=path):
+                    self.assertIn(reason, self.refuse([*words, path, *more], 1, path[:100]).stderr)
 
 
 if __name__ == "__main__":

@@ -59,6 +59,14 @@ class Resume(ResumeTest):
         first = self.begin()
         self.assertEqual(self.json_of("resume", "o")["digest"], first["digest"])
 
+    def test_a_run_without_further_collisions_stays_at_its_end(self):
+        self.write("open.toml", TWO_DISKS.replace("reflecting", "open"))
+        first = self.json_of("run", "open.toml", "--collisions", 10**6, "--out", "o")
+        self.assertEqual(first["ended"], "exhausted")
+        again = self.json_of("resume", "o")
+        for key in ("ended", "time", "windows", "digest"):
+            self.assertEqual(again[key], first[key], key)
+
     def test_a_checkpoint_by_name(self):
         whole = self.begin("whole", 4)
         self.begin()
@@ -78,6 +86,23 @@ class Resume(ResumeTest):
         self.assertEqual(len(self.read("notes.txt")), 10**6)
         self.write("log.csv", self.read("log.csv")[:100])
         self.refuse(["resume", "o", "--log-collisions", "log.csv"], 1, "log.csv", "shorter")
+
+    def test_what_is_refused_leaves_the_newest_checkpoint(self):
+        for broken, form in (("log.csv", "xyz"), ("o/trajectory.xyz", "xyz"), ("o/trajectory.h5md", "h5md")):
+            self.begin("o", 2.3, "--every", 0.1, "--trajectory", form, "--log-collisions", "log.csv", "--overwrite")
+            log = self.path("log.csv").read_bytes()
+            shutil.copy(self.path("o/checkpoint-1.h5"), self.path("o/old.h5"))
+            self.path(broken).unlink()
+            if form == "h5md" or broken == "log.csv":
+                self.write(broken, "no longer what it was")
+            before = {path.name: path.read_bytes() for path in self.path("o").iterdir()}
+            self.refuse(["resume", "o/old.h5", "--until", 4, "--log-collisions", "log.csv"], 1, broken)
+            after = {path.name: path.read_bytes() for path in self.path("o").iterdir()}
+            self.assertEqual(after.keys(), before.keys())
+            for name in before:
+                self.assertEqual(after[name], before[name], name)
+            if broken != "log.csv":
+                self.assertEqual(self.path("log.csv").read_bytes(), log)
 
     def test_a_damaged_checkpoint_gives_way_to_the_one_before(self):
         whole = self.begin("whole", 4)
@@ -104,6 +129,7 @@ class Resume(ResumeTest):
                                   (["gas.toml"], 1, "not a checkpoint"), (["text.h5"], 1, "format 2"),
                                   (["bad"], 1, "damaged"), (["o", "--until", 0.001], 1, "the checkpoint is at"),
                                   (["o", "--until", "x"], 2, "--until"), (["o", "--collisions", 0], 1, "--collisions"),
+                                  (["o", "--collisions", 2**63], 1, f"--collisions {2**63}: it must not"),
                                   (["o", "--checkpoint-minutes", 0], 1, "--checkpoint-minutes"),
                                   (["o", "--max-minutes", -1], 1, "--max-minutes"),
                                   (["o", "--log-collisions", "l.csv"], 2, "no log")):
@@ -117,6 +143,13 @@ class Resume(ResumeTest):
 
 
 class Limits(ResumeTest):
+    def test_collisions(self):
+        for words in (["run", "gas.toml"], ["sweep", "gas.toml", "--vary", "gas.seed=1,2"]):
+            self.refuse([*words, "--collisions", 2**63, "--out", "o"], 1, f"--collisions {2**63}: it must not")
+        self.assertFalse(self.path("o").exists())
+        self.succeed("run", "gas.toml", "--collisions", 2**63 - 1, "--out", "o", "--max-minutes", 0.0001)
+        self.succeed("resume", "o", "--max-minutes", 0.0001)
+
     def test_minutes(self):
         done = self.succeed("run", "gas.toml", "--until", 1e9, "--out", "o", "--max-minutes", 0.005, "--json")
         report = json.loads(done.stdout)
@@ -206,6 +239,16 @@ class Convert(ResumeTest):
         self.path("start").mkdir()
         self.succeed("convert", "scene.toml", "start/checkpoint.h5")
         self.assertEqual(self.json_of("resume", "start")["digest"], self.json_of("run", "scene.toml")["digest"])
+
+    def test_the_start_of_a_run_that_observes(self):
+        self.write("scene.toml", TWO_DISKS + "[run]\nuntil = 50.0\n" +
+                   "".join(f'[[observe]]\nname = "{name}"\n' for name in ("msd", "speeds", "pressure")))
+        self.path("start").mkdir()
+        self.succeed("convert", "scene.toml", "start/checkpoint.h5")
+        whole = self.json_of("run", "scene.toml")
+        again = self.json_of("resume", "start")
+        for key in ("digest", "observables"):
+            self.assertEqual(again[key], whole[key], key)
 
     def test_one_frame_of_many(self):
         self.begin("o", 2, "--every", 0.5, "--trajectory", "h5md")

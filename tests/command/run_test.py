@@ -419,5 +419,19 @@ class Interrupts(RunTest):
         self.assertGreaterEqual(json.loads(output)["collisions"], 8000)
 
 
+class Pipes(ProgramTest):
+    def test_a_log_into_a_named_pipe(self):
+        self.write("scene.toml", TWO_DISKS)
+        os.mkfifo(self.path("pipe"))
+        with subprocess.Popen(["cat", "pipe"], stdout=subprocess.PIPE, text=True, cwd=self.directory) as reader:
+            self.addCleanup(reader.kill)
+            words = ["run", "scene.toml", "--until", 30, "--log-collisions"]
+            done = subprocess.run([CAROM, *map(str, words), "pipe"], cwd=self.directory, timeout=10, check=False,
+                                  capture_output=True)
+            self.assertEqual(done.returncode, 0)
+            self.succeed(*words, "log.csv")
+            self.assertEqual(reader.stdout.read(), self.read("log.csv"))
+
+
 if __name__ == "__main__":
     main()

@@ -3,6 +3,7 @@ bytes for any number of threads and wherever it was interrupted or killed; it re
 
 import csv
 import json
+import os
 import shutil
 import signal
 import subprocess
@@ -287,6 +288,28 @@ class WrongInput(SweepTest):
         self.assertEqual(self.tables("o"), tables)
         self.succeed("run", "gas.toml", "--collisions", 5, "--out", "run")
         self.refuse(["sweep", "gas.toml", "--vary", "packing=0.2,0.3", "--collisions", 20, "--out", "run"], 1, "a run")
+
+
+class AnotherSweep(SweepTest):
+    def test_that_comes_and_goes_before_the_lock_is_taken(self):
+        words = ["sweep", "gas.toml", "--vary", "gas.seed=1,2", "--until", 0.1, "--quiet", "--out", "o"]
+        self.succeed(*words)
+        settings = self.read("o/sweep.json")
+        self.path("o/sweep.json").unlink()
+        os.mkfifo(self.path("o/sweep.json"))  # holds up the first look at it
+        child = subprocess.Popen([CAROM, *map(str, words)], cwd=self.directory, stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE, text=True)
+        self.addCleanup(child.kill)
+        with open(self.path("o/sweep.json"), "w", encoding="utf-8") as pipe:
+            self.path("o/sweep.json").unlink()
+            other = settings.replace('"replicas": 1', '"replicas": 2')
+            self.assertNotEqual(other, settings)
+            self.write("o/sweep.json", other)
+            pipe.write(settings)
+        errors = child.communicate(timeout=60)[1]
+        self.assertEqual(child.returncode, 1, errors)
+        self.assertIn("o: holds a sweep with other settings", errors)
+        self.assertEqual(self.read("o/sweep.json"), other)
 
 
 if __name__ == "__main__":

@@ -2,13 +2,20 @@
 #include "carom/io/checkpoint.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <csignal>
+#include <filesystem>
 #include <thread>
 #include <vector>
 
 #include "carom/base/random.hpp"
 #include "carom/io/file.hpp"
+#include "hdf5/trial.hpp"
 #include "scenes.hpp"
 #include "scratch.hpp"
 
@@ -100,6 +107,52 @@ TEST(Checkpoint, AreReadWhileOtherThreadsWrite) {
   for (int k = 0; k < 30; ++k) EXPECT_NO_THROW(parse_checkpoint(bytes, "c.h5")) << k;
   enough = true;
   for (std::thread& writer : writers) writer.join();
+}
+
+TEST(Checkpoint, OnlyADamagedOneGivesWayToTheOneBefore) {
+  const Scratch scratch;
+  write_checkpoint(scratch / "b.h5", {}, some_checkpoint());
+  const std::vector<std::string> paths{scratch / "a.h5", scratch / "b.h5"};
+  EXPECT_EQ(read_newest_checkpoint(paths)->path, paths[1]);
+  write_file(paths[0], "x");
+  EXPECT_EQ(read_newest_checkpoint(paths)->damaged.size(), 1U);
+  std::filesystem::remove(paths[0]);
+  std::filesystem::create_directory(paths[0]);
+  EXPECT_EQ(message_of([&] { read_newest_checkpoint(paths); }), paths[0] + ": cannot be read: it is a directory");
+  std::filesystem::remove(paths[0]);
+  std::filesystem::create_symlink("a.h5", paths[0]);
+  EXPECT_EQ(message_of([&] { read_newest_checkpoint(paths); }),
+            paths[0] + ": cannot be read: Too many levels of symbolic links");
+}
+
+TEST(Checkpoint, OneThatCannotBeTriedIsNotTakenForDamaged) {
+  const Scratch scratch;
+  chmod(scratch.path().c_str(), 0755);
+  write_checkpoint(scratch / "a.h5", {}, some_checkpoint());
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;  // root may start any number of processes
+    if (getuid() == 0 && (setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(3);
+    const rlimit none{0, 0};
+    setrlimit(RLIMIT_NPROC, &none);
+    try {
+      read_newest_checkpoint({scratch / "a.h5", scratch / "b.h5"});
+    } catch (const io::NotTried&) {
+      _exit(0);
+    } catch (...) {
+      _exit(2);
+    }
+    _exit(1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST(Checkpoint, ATrialThatIsKilledOrTooLongSaysNothingOfTheFile) {
+  EXPECT_THROW(io::try_in_child([] { pause(); }, "c.h5", 0.05), io::NotTried);
+  EXPECT_THROW(io::try_in_child([] { raise(SIGKILL); }, "c.h5", 10), io::NotTried);
 }
 
 TEST(Checkpoint, TheOneBeforeIsKept) {

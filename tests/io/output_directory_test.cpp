@@ -6,6 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <vector>
+
+#include "carom/io/directory_lock.hpp"
 #include "carom/io/file.hpp"
 #include "scratch.hpp"
 
@@ -40,6 +44,49 @@ TEST(OutputDirectory, OverwritingRemovesTheOldRunAndLeavesOtherFiles) {
   directory.remove_old_run();
   EXPECT_FALSE(std::filesystem::exists(scratch / "trajectory.xyz"));
   EXPECT_EQ(read_file(scratch / "notes.txt"), "mine");
+}
+
+TEST(OutputDirectory, OverwritingLeavesNamesThatOnlyLookLikeARuns) {
+  const Scratch scratch;
+  std::filesystem::create_directory(scratch / "observables");
+  for (const std::string name : {"trajectory.csv", "trajectory.mp4", "trajectory.xyz.new-one", "report.json.old",
+                                 "observables/mine.csv", "observables/mine.new-table.csv"}) {
+    write_file(scratch / name, "mine");
+  }
+  const OutputDirectory directory(scratch.path());  // nor do they make it one
+  directory.remove_unfinished_files();
+  directory.remove_old_run();
+  EXPECT_EQ(scratch.entries(), 5U);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "observables/mine.csv"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "observables/mine.new-table.csv"));
+}
+
+TEST(OutputDirectory, WhatAKilledRunLeavesHalfWrittenIsNoRunAndGoes) {
+  for (const bool indexed : {false, true}) {
+    const Scratch scratch;
+    std::filesystem::create_directory(scratch / "observables");
+    if (indexed) write_file(scratch / "observables/index.json", "{}");
+    const std::vector<std::string> unfinished{"trajectory.h5md.new-77", "report.json.new-77-1",
+                                              "observables/msd.csv.new-77-2", "observables/index.json.new-77-3"};
+    for (const std::string& name : unfinished) write_file(scratch / name, "half");
+    write_file(scratch / ".carom-trial", "carom writes here\n");
+    const OutputDirectory directory(scratch.path(), indexed);
+    directory.remove_unfinished_files();
+    for (const std::string& name : unfinished) EXPECT_FALSE(std::filesystem::exists(scratch / name)) << name;
+    EXPECT_EQ(scratch.entries(), 1U);
+    EXPECT_EQ(std::filesystem::exists(scratch / "observables/index.json"), indexed);
+    directory.remove_old_run();
+    EXPECT_EQ(std::filesystem::exists(scratch / "observables"), !indexed);
+  }
+}
+
+/// What another run leaves while this one waits is seen: nothing is decided before the directory is locked.
+TEST(OutputDirectory, LooksForARunUnderItsLock) {
+  const Scratch scratch;
+  write_file(scratch / "report.json", "old");
+  const DirectoryLock lock(scratch.path());
+  EXPECT_EQ(message_of([&] { OutputDirectory directory(scratch.path()); }),
+            scratch.path() + ": another carom is at work here");
 }
 
 TEST(OutputDirectory, RefusesAFileInItsPlace) {

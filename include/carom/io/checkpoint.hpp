@@ -64,7 +64,8 @@ struct NewestCheckpoint {
 };
 
 /// The first of these files that is whole; those that are not there do not count. Absent if there is none of them,
-/// throws Error with what is wrong with each if all are damaged.
+/// throws Error with what is wrong with each if all are damaged. One that cannot be read at all may be whole: then
+/// this throws Error, too, whatever comes after it.
 std::optional<NewestCheckpoint> read_newest_checkpoint(const std::vector<std::string>& paths);
 
 }  // namespace carom

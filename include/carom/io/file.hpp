@@ -31,7 +31,7 @@ class OutputStream {
  public:
   /// Creates the file or empties it. Throws Error if that fails.
   explicit OutputStream(std::string path);
-  /// Goes on with a file whose first `kept` bytes stay; what follows them is cut off. Throws Error if it has fewer.
+  /// Goes on with a file that has `kept` bytes or more, at its end. Throws Error if it has fewer.
   OutputStream(std::string path, std::uint64_t kept);
   /// Writes what is left but cannot report a failure: call close() before.
   ~OutputStream();

@@ -49,7 +49,6 @@ class OutputDirectory {
 
  private:
   OutputDirectory() = default;
-  void lock_and_prove_writable();
 
   std::string path_;
   std::shared_ptr<const DirectoryLock> lock_;

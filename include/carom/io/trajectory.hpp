@@ -42,7 +42,8 @@ class TrajectoryWriter {
 std::unique_ptr<TrajectoryWriter> create_trajectory(const std::string& path, TrajectoryFormat format,
                                                     const System& system);
 
-/// Goes on with a trajectory of this system: what it has beyond `kept` is removed. Throws Error if it has less.
+/// Goes on with a trajectory of this system that is `kept` long or longer. Throws Error if it is shorter. What it has
+/// beyond that is still there: cut_to(kept) is to be called before anything is appended.
 std::unique_ptr<TrajectoryWriter> continue_trajectory(const std::string& path, TrajectoryFormat format,
                                                       const System& system, const TrajectoryLength& kept);
 

@@ -22,6 +22,9 @@ struct ObserveSpec {
   Place place = {};
 };
 
+/// The most collisions that a run can be told to end at: the largest integer of the files that tell it.
+inline constexpr std::uint64_t kMostCollisions = INT64_MAX;
+
 /// The [run] section of a scene; the command line's options of the same names take its place.
 struct RunSettings {
   std::optional<double> until = {};              ///< simulate to this time

@@ -70,7 +70,7 @@ void try_in_child(const std::function<void()>& reading, const std::string& file,
   ::close(pipe[1]);
   if (child < 0) {
     ::close(pipe[0]);
-    throw Error("cannot be read: no process can be started to try it", {file});
+    throw NotTried("cannot be read: no process can be started to try it", {file});
   }
   const bool in_time = ends_within(pipe[0], seconds);
   if (!in_time) ::kill(child, SIGKILL);
@@ -78,7 +78,10 @@ void try_in_child(const std::function<void()>& reading, const std::string& file,
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!in_time) throw Error("is damaged: HDF5 does not come to an end with it", {file});
+  if (!in_time) throw NotTried("cannot be read: HDF5 does not come to an end with it", {file});
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) {
+    throw NotTried("cannot be read: the process that tried it was killed", {file});
+  }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw Error("is damaged: HDF5 crashes on it", {file});
 }
 
