@@ -128,6 +128,17 @@ TEST(File, AMissingFolderIsReported) {
             scratch / "no/a" + ": cannot be written: No such file or directory");
 }
 
+TEST(File, APipeIsNotOpenedToProveThatItCanBe) {
+  const Scratch scratch;
+  ASSERT_EQ(mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  const int result = in_child([&] {
+    alarm(3);  // to open it is to wait for its reader
+    prove_appendable(scratch / "pipe");
+    return 0;
+  });
+  EXPECT_EQ(result, 0);
+}
+
 TEST(OutputStream, HoldsEverythingAfterClose) {
   const Scratch scratch;
   OutputStream stream(scratch / "a");
