@@ -68,8 +68,8 @@ void Workspace::find_neighbours() {
 bool Workspace::chooses_cells(const Extent& range) const {
   constexpr double kDensest = 0.65;         // packing fraction from which on lists were measured to be faster
   constexpr double kWidestSizeRatio = 2.5;  // a cell is as wide as the largest disk
-  if (records.size() >= static_cast<std::size_t>(Slot::kMostDisks) || !Cells::fit(system, range, 2 * slack_))
-    return false;
+  if (records.size() >= static_cast<std::size_t>(Slot::kMostDisks)) return false;
+  if (!Cells::fit(system, range, 2 * slack_)) return false;
   if (options_.neighbourhood) return *options_.neighbourhood == Neighbourhood::cells;
   double smallest = predict::kNever;
   double largest = 0;
